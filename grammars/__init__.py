@@ -1,0 +1,1 @@
+"""English in, English out: text to meanings, nets to sentences. Pure."""

@@ -1,0 +1,1 @@
+"""What acting is made of: verdicts, chains and plays, calls and bids, arbitration, the trace."""

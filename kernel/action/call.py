@@ -1,0 +1,101 @@
+"""Where the mind meets a body: what the body reports, what a grounding function asks for.
+
+A grounding function is a generator. While it runs it yields a Bid each tick; when it returns, nobody bids, and the
+resource goes back to rest. Bodies turn winning bids into their own messages (Connell 2019, section 4: "priorities
+are resolved within the grounding kernel").
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import Literal
+
+
+@dataclass(frozen=True, slots=True)
+class Travel:
+    """Roll straight: speed in m/s, negative backwards; for so many seconds, or None for until it is stopped."""
+
+    speed_m_s: float
+    seconds: float | None
+
+
+@dataclass(frozen=True, slots=True)
+class Rotate:
+    """Turn in place: rate in rad/s, positive counterclockwise (left); seconds as in Travel."""
+
+    rate_rad_s: float
+    seconds: float | None
+
+
+@dataclass(frozen=True, slots=True)
+class MoveLift:
+    """Bring the lift to a height: 0 is down, 1 is the upper end stop."""
+
+    target: float
+    per_second: float = 0.5
+
+
+@dataclass(frozen=True, slots=True)
+class MoveGrip:
+    """Bring the gripper to an opening: 0 closed, 1 open. Closing on nothing is reported as a miss."""
+
+    target: float
+    per_second: float = 1.0
+
+
+@dataclass(frozen=True, slots=True)
+class Speak:
+    """Say it aloud; literal text."""
+
+    text: str
+
+
+BodyCommand = Travel | Rotate | MoveLift | MoveGrip | Speak
+Resource = Literal["wheels", "lift", "grip", "voice"]
+
+
+@dataclass(frozen=True, slots=True)
+class Bid:
+    """One action wants one resource for one command. The ticket names the action from its first bid to its end, so a
+    body can tell a renewed bid from a new one."""
+
+    resource: Resource
+    command: BodyCommand
+    ticket: int
+
+
+MoveFailure = Literal["link_lost", "missed", "stuck", "refused", "stopped"]
+
+
+@dataclass(frozen=True, slots=True)
+class BodyState:
+    """What a body knows of itself, from telemetry and events alone (never from a simulator's ground truth).
+
+    Attributes:
+        at_s: time of this state, s.
+        connected: the link is up and armed; while it is not, every bid for a wheel or servo fails at once.
+        x_m, y_m, heading_rad: reckoned pose; x ahead at the start, y to the left, counterclockwise positive.
+        range_m: distance of the nearest thing in the beam from the gripper's front, None if nothing within 0.40 m.
+        lift, grip: 0 to 1 as in MoveLift, MoveGrip.
+        holding: something is in the gripper.
+        moving: the wheels turn.
+        battery_v: volts, None if unknown.
+        done: tickets whose command the far end has executed to its end (MOVE_DONE or telemetry, not the echo).
+        failed: tickets that cannot be executed, and why.
+    """
+
+    at_s: float = 0.0
+    connected: bool = True
+    x_m: float = 0.0
+    y_m: float = 0.0
+    heading_rad: float = 0.0
+    range_m: float | None = None
+    lift: float = 0.0
+    grip: float = 1.0
+    holding: bool = False
+    moving: bool = False
+    estopped: bool = False
+    battery_v: float | None = None
+    done: frozenset[int] = frozenset()
+    failed: Mapping[int, MoveFailure] = field(default_factory=dict)

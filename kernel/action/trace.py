@@ -1,0 +1,44 @@
+"""The trace: one typed record for every decision. The log, the view, "why" and the tests read the same records."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import Literal
+
+What = Literal[
+    "focus",  # a focus was posted: data text
+    "considered",  # operators that matched and their weights
+    "chosen",  # the operator chosen
+    "action_started",  # a grounding function was called: data function, words, text
+    "action_ended",  # data function, verdict
+    "resource_lost",
+    "prohibited",  # data by (words of the lesson), text of the act
+    "permitted",
+    "verdict",  # a focus ended: data verdict, text
+    "lesson",
+    "fact",
+    "sensed",
+    "concluded",
+    "promoted",
+    "stopped",
+    "identity",
+    "error",
+]
+
+
+@dataclass(frozen=True, slots=True)
+class Record:
+    """Attributes:
+    at_s: monotonic time, s.
+    what: the kind of decision.
+    focus: number of the focus it belongs to, 0 for none.
+    utterance: the words it descends from, "" for the robot's own.
+    data: details, plain values only.
+    """
+
+    at_s: float
+    what: What
+    focus: int = 0
+    utterance: str = ""
+    data: Mapping[str, object] = field(default_factory=dict)

@@ -1,0 +1,1 @@
+"""The forklift robot of the paper: its wire, its physics."""

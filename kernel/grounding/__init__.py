@@ -1,0 +1,1 @@
+"""See the module docstrings; files here register themselves."""

@@ -1,0 +1,1 @@
+"""Attention, working memory, halo, rules, operators, choice, and what an utterance can mean."""

@@ -1,0 +1,76 @@
+"""What can be learned: rules, operators, facts; and a lesson, which is one of them with its provenance."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Literal
+
+from kernel.action.chain import Chain, Directive
+from kernel.net.graphlet import Graphlet
+
+
+@dataclass(frozen=True, slots=True)
+class Rule:
+    """If the condition holds and none of the exceptions, conclude.
+
+    An alias is a rule whose conclusion describes the condition's main node again, with another lexical item.
+
+    Source: Connell 2019, section 3, figure 3; exceptions ("unless") are ours.
+    """
+
+    condition: Graphlet
+    conclusion: Graphlet
+    unless: tuple[Graphlet, ...] = ()
+    belief: float = 1.0
+
+
+@dataclass(frozen=True, slots=True)
+class Operator:
+    """When the trigger's directive is posted and the enablement holds, the chain is advice on what to do.
+
+    Attributes:
+        trigger: tag and pattern. NOTE: all conditions in one graphlet. DO ANTE POST: the main node is the action, the
+            other terms describe its arguments or the speech act it came from. ALLOW: voids prohibitions it matches.
+        enablement: patterns that must hold as well.
+        unless: patterns that must not hold.
+        preference: 1.0 plain, 0.8 "you could", 1.2 "you must always".
+        chain: what to do; empty for ALLOW.
+    """
+
+    trigger: Directive
+    chain: Chain
+    enablement: tuple[Graphlet, ...] = ()
+    unless: tuple[Graphlet, ...] = ()
+    preference: float = 1.0
+
+    @property
+    def prohibits(self) -> bool:
+        """An ANTE operator that ends in PUNT."""
+        return self.trigger.tag == "ANTE" and any(d.tag == "PUNT" for d in self.chain.directives())
+
+
+Content = Rule | Operator | Graphlet  # a Graphlet is a fact
+LessonKind = Literal[
+    "procedure", "reaction", "before", "after", "prohibition", "permission", "rule", "alias", "fact"
+]
+
+
+@dataclass(frozen=True, slots=True)
+class Lesson:
+    """One thing the robot was taught.
+
+    Attributes:
+        ident: number in the store; 0 before it is stored; negative for what the robot was born with.
+        kind: kind of sentence it came from.
+        content: the rule, operator or fact: this is the lesson.
+        words: the teacher's exact words: this is evidence.
+        teacher: name of the person, "" if not identified.
+        at_s: wall time, s since 1970.
+    """
+
+    ident: int
+    kind: LessonKind
+    content: Content
+    words: str = ""
+    teacher: str = ""
+    at_s: float = 0.0

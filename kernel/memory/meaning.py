@@ -1,0 +1,121 @@
+"""What an utterance can mean: made by grammars.forms, taken by the mind. Stateless: kind and words alone."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Literal
+
+from kernel.action.chain import Chain
+from kernel.memory.lesson import LessonKind, Operator, Rule
+from kernel.net.graphlet import Graphlet
+
+
+@dataclass(frozen=True, slots=True)
+class Command:
+    """Do it now. Look-ups of the things mentioned stand in the chain as FIND before the DO that needs them."""
+
+    chain: Chain
+
+
+@dataclass(frozen=True, slots=True)
+class Fact:
+    """Something is so. Look-ups ("the block") stand in `finds`, in order; the fact links to their main names."""
+
+    fact: Graphlet
+    finds: tuple[Graphlet, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class Teach:
+    """A rule or operator to be learned."""
+
+    kind: LessonKind
+    content: Rule | Operator
+
+
+Ask = Literal["what", "where", "who", "howmany", "yesno", "why", "which", "how", "when"]
+
+
+@dataclass(frozen=True, slots=True)
+class Question:
+    """Attributes:
+    ask: the question word.
+    about: what is asked; the graphlet's main node is the predicate, or the thing described.
+    wanted: name of the node asked for ("" for yesno).
+    topic: "" for what is so; else what the question is about: "identity" (who am I), "doing", "did", "know_about",
+        "know_how", "taught", "learned" ...
+    """
+
+    ask: Ask
+    about: Graphlet
+    wanted: str = ""
+    topic: str = ""
+
+
+@dataclass(frozen=True, slots=True)
+class Feedback:
+    """Praise or blame of what was just done; stop: it also halts what is going on."""
+
+    good: bool
+    stop: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class Identity:
+    """The speaker says who he is: "I am Rick". name as said, lower case."""
+
+    name: str
+
+
+@dataclass(frozen=True, slots=True)
+class Social:
+    """Greetings and manners."""
+
+    act: Literal["hello", "thanks", "bye", "sorry"]
+
+
+@dataclass(frozen=True, slots=True)
+class Control:
+    """Steering the robot's mind, not its body. about: what is to be stopped or forgotten, where that was said."""
+
+    act: Literal["stop", "cancel", "undo", "forget", "resume", "repeat", "learned"]
+    about: Graphlet | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Revision:
+    """A correction of the last command or lesson: do this (chain) instead of that (instead_of), or of that verb (of)."""
+
+    chain: Chain
+    instead_of: Graphlet | None = None
+    of: Graphlet | None = None
+
+
+Meaning = Command | Fact | Teach | Question | Feedback | Identity | Social | Control | Revision
+
+
+@dataclass(frozen=True, slots=True)
+class Utterance:
+    """What was heard or typed.
+
+    Attributes:
+        text: the words, as typed or as recognised.
+        speaker: name of the person, "" if not identified.
+        at_s: wall time of its end, s since 1970.
+        confidence: 0 to 1; 1 for typed text.
+        alternatives: other hypotheses, best first.
+    """
+
+    text: str
+    speaker: str = ""
+    at_s: float = 0.0
+    confidence: float = 1.0
+    alternatives: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class Heard:
+    """An utterance with its meaning: what reaches the mind."""
+
+    utterance: Utterance
+    meaning: Meaning

@@ -1,0 +1,109 @@
+"""What the mind wants a person to know, as values made of nets; grammars.replies puts them into English."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Literal
+
+from kernel.memory.lesson import Lesson
+from kernel.memory.meaning import Question, Social
+from kernel.net.graphlet import Graphlet
+
+Reason = Literal[
+    "no_way",  # no operator applies: "I don't know how to salute"
+    "not_grounded",  # the body has no such direction, thing or word: detail is the word or what was missing
+    "prohibited",  # by a lesson (Refused says which)
+    "nothing_found",  # no such thing is known
+    "no_sense",  # nothing on this body can perceive it
+    "nothing_gripped",
+    "too_much",  # a limit of the body; detail names it
+    "link_lost",
+    "stuck",
+    "stopped",
+    "resource_lost",
+    "recursion",
+    "too_deep",
+    "conflict",  # two parts of one play want the same thing; detail names it
+    "no_room",
+    "not_stored",  # a lesson could not be made durable; detail says why
+    "crashed",  # a grounding function broke; the log has it
+]
+
+
+@dataclass(frozen=True, slots=True)
+class LessonTaken:
+    """A lesson is durable and in force."""
+
+    lesson: Lesson
+
+
+@dataclass(frozen=True, slots=True)
+class FactTaken:
+    """A fact was noted."""
+
+    fact: Graphlet
+    about: tuple[Graphlet, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class Refused:
+    """An act was vetoed by a prohibition that said nothing itself. because: conclusions that led to it, if any."""
+
+    act: Graphlet
+    by: Lesson
+    because: tuple[Graphlet, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class Failed:
+    """An act came to nothing. act may lack descriptions of its objects; about has them."""
+
+    act: Graphlet | None
+    reason: Reason
+    detail: str = ""
+    about: tuple[Graphlet, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class Answer:
+    """Attributes:
+    question: what was asked.
+    verdict: "yes", "no", "unknown", or "found" for questions with a question word.
+    found: what was found, as nets: facts, or names and descriptions of the things asked for.
+    """
+
+    question: Question
+    verdict: Literal["yes", "no", "unknown", "found"]
+    found: tuple[Graphlet, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class Met:
+    """The speaker is now known under this name; "" forgets him."""
+
+    name: str
+
+
+@dataclass(frozen=True, slots=True)
+class Greeted:
+    """Manners returned."""
+
+    social: Social
+    name: str = ""
+
+
+@dataclass(frozen=True, slots=True)
+class Halted:
+    """Everything was stopped. was_busy: something was going on."""
+
+    was_busy: bool
+
+
+@dataclass(frozen=True, slots=True)
+class NotYet:
+    """Understood, but this version of the mind cannot do it: said honestly, nothing changes."""
+
+    what: str
+
+
+Reply = LessonTaken | FactTaken | Refused | Failed | Answer | Met | Greeted | Halted | NotYet

@@ -1,0 +1,1 @@
+"""Semantic nets: graphlets (patterns and descriptions), memory nodes, matching, notation."""
