@@ -16,4 +16,5 @@ class Verdict(Enum):
 
     @property
     def ok(self) -> bool:
+        """Only SUCCEEDED."""
         return self is Verdict.SUCCEEDED
