@@ -84,7 +84,10 @@ class Control:
 
 @dataclass(frozen=True, slots=True)
 class Revision:
-    """A correction of the last command or lesson: do this (chain) instead of that (instead_of), or of that verb (of)."""
+    """A correction of the last command or lesson.
+
+    Do this (chain) instead of that (instead_of), or when doing that verb (of).
+    """
 
     chain: Chain
     instead_of: Graphlet | None = None

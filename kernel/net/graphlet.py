@@ -23,7 +23,8 @@ class Term:
             back; never matched.
         negated: the predicate is denied ("not heavy").
         belief: 0 to 1, how sure; matters on facts and conclusions only.
-        links: (role, name of the other node), sorted; roles are the paper's (agt obj dest dir deg ako hq arg cmd) and ours.
+        links: (role, name of the other node), sorted; roles are the paper's (agt obj dest dir deg
+            ako hq arg cmd) and ours (docs/net.md).
     """
 
     name: str

@@ -1,0 +1,357 @@
+"""Lessons and meanings as text, canonical: equal nets give equal text, whatever sentence they came from."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Iterable, Iterator
+from dataclasses import replace
+from typing import Any, TypeVar
+
+from kernel.action.chain import Chain, Directive, Play, sequence
+from kernel.errors import NotationError
+from kernel.memory.lesson import Content, Operator, Rule
+from kernel.memory.meaning import (
+    Command,
+    Control,
+    Fact,
+    Feedback,
+    Identity,
+    Meaning,
+    Question,
+    Revision,
+    Social,
+    Teach,
+)
+from kernel.net.canon import canonical_names
+from kernel.net.graphlet import Graphlet
+from kernel.net.notation import Token, read_terms, tokens, write_terms
+
+Written = Content | Chain
+W = TypeVar("W", bound=Written)
+_RULE = "-" * 15
+
+
+def write(content: Written) -> str:
+    """Canonical notation of a rule, operator, fact or chain."""
+    return "\n".join(_lines(canonical(content)))
+
+
+def canonical(content: W) -> W:
+    """The same content with canonical names, unordered parts sorted and empty terms left out."""
+    content = _sorted(content)
+    return _renamed(content, canonical_names(list(_graphlets(content))))
+
+
+def write_meaning(meaning: Meaning) -> tuple[str, ...]:
+    """Canonical texts of a meaning, for people and for comparing two sentences."""
+    match meaning:
+        case Command(chain):
+            return (write(chain),)
+        case Fact(fact, finds):
+            looks = [Directive("FIND", find) for find in finds]
+            return (write(sequence(*looks, Directive("NOTE", fact))),)
+        case Teach(_, content):
+            return (write(content),)
+        case Question(ask, about, wanted, topic):
+            names = canonical_names([about])
+            head = f"ASK {ask} {topic}".rstrip() + (f" {names[wanted]}" if wanted else "")
+            return (head, write(about))
+        case Feedback(good, stop):
+            return ("good" if good else "bad", *(("stop",) if stop else ()))
+        case Identity(name):
+            return (f"user-1 -lex- {name}",)
+        case Social(act):
+            return (act,)
+        case Control(act, about):
+            return (act, *((write(about),) if about else ()))
+        case Revision(chain, instead_of, of):
+            parts = [("instead of", instead_of), ("of", of)]
+            return (write(chain), *(f"{label}:\n{write(g)}" for label, g in parts if g))
+
+
+def read(text: str) -> Content:
+    """Read what `write` wrote.
+
+    Raises:
+        NotationError: with the line and what was expected there.
+    """
+    return _Reader(text).content()
+
+
+def read_chain(text: str) -> Chain:
+    """Read a chain alone.
+
+    Raises:
+        NotationError: as `read`.
+    """
+    reader = _Reader(text)
+    chain = reader.chain()
+    reader.end()
+    return chain
+
+
+def _graphlets(content: Written) -> Iterator[Graphlet]:
+    match content:
+        case Graphlet():
+            yield content
+        case Rule(condition, conclusion, unless):
+            yield from (condition, conclusion, *unless)
+        case Operator(trigger, chain, enablement, unless):
+            yield from (g for g in (trigger.graphlet, *enablement, *unless) if g)
+            yield from _graphlets(chain)
+        case Chain():
+            yield from (d.graphlet for d in content.directives() if d.graphlet)
+
+
+def _renamed(content: W, names: dict[str, str]) -> W:
+    renamed: W = _mapped(content, lambda graphlet: _tidy(graphlet.renamed(names)))
+    return renamed
+
+
+def _mapped(content: Any, change: Callable[[Graphlet], Graphlet]) -> Any:
+    match content:
+        case Graphlet():
+            return change(content)
+        case Directive(tag, graphlet):
+            return Directive(tag, change(graphlet) if graphlet else None)
+        case Chain(plays):
+            return Chain(
+                tuple(
+                    Play(
+                        tuple(_mapped(p, change) for p in play.required),
+                        tuple(_mapped(p, change) for p in play.auxiliary),
+                    )
+                    for play in plays
+                )
+            )
+        case Rule():
+            return replace(
+                content,
+                condition=change(content.condition),
+                conclusion=change(content.conclusion),
+                unless=tuple(map(change, content.unless)),
+            )
+        case Operator():
+            return replace(
+                content,
+                trigger=_mapped(content.trigger, change),
+                chain=_mapped(content.chain, change),
+                enablement=tuple(map(change, content.enablement)),
+                unless=tuple(map(change, content.unless)),
+            )
+    raise TypeError(content)
+
+
+def _tidy(graphlet: Graphlet) -> Graphlet:
+    kept = [t for t in graphlet.terms if t != replace(t, lex=frozenset(), literal=None, ref="", negated=False,
+                                                       belief=1.0, links=())]  # fmt: skip
+    kept.sort(key=lambda t: (t.name != graphlet.main, int(t.name.rpartition("-")[2])))
+    return Graphlet(tuple(kept), graphlet.main)
+
+
+def _sorted(content: Any) -> Any:
+    """Put what has no order (exceptions, parts of a play) into one: by its text with the names blotted out."""
+
+    def order(parts: Iterable[Any]) -> tuple[Any, ...]:
+        return tuple(sorted(parts, key=_blotted))
+
+    def chain(value: Chain) -> Chain:
+        plays = []
+        for play in value.plays:
+            required, auxiliary = (
+                order([chain(p) if isinstance(p, Chain) else p for p in parts])
+                for parts in (play.required, play.auxiliary)
+            )
+            plays.append(Play(required, auxiliary))
+        return Chain(tuple(plays))
+
+    match content:
+        case Chain():
+            return chain(content)
+        case Rule():
+            return replace(content, unless=order(content.unless))
+        case Operator():
+            return replace(
+                content,
+                chain=chain(content.chain),
+                enablement=order(content.enablement),
+                unless=order(content.unless),
+            )
+    return content
+
+
+def _blotted(part: Graphlet | Directive | Chain) -> str:
+    as_chain = part if isinstance(part, Chain) else None
+    if isinstance(part, Graphlet):
+        parts = [part]
+    elif isinstance(part, Directive):
+        parts = [part.graphlet] if part.graphlet else []
+    else:
+        parts = list(_graphlets(part))
+    names = canonical_names(parts) if parts else {}
+    if as_chain is not None:
+        return "\n".join(_chain_lines(_renamed(as_chain, names)))
+    head = part.tag if isinstance(part, Directive) else ""
+    return head + "\n".join(line for g in parts for line in write_terms(g.renamed(names)))
+
+
+def _lines(content: Written) -> list[str]:
+    match content:
+        case Graphlet():
+            return write_terms(content)
+        case Chain():
+            return _chain_lines(content)
+        case Rule(condition, conclusion, unless, belief):
+            return [
+                *_block("if:   ", write_terms(condition)),
+                *(line for g in unless for line in _block("unless: ", write_terms(g))),
+                *_block("then: ", write_terms(conclusion)),
+                f"belief: {belief}",
+            ]
+        case Operator(trigger, chain, enablement, unless, preference):
+            return [
+                *_block("trig: ", _directive_lines(trigger)),
+                *(line for g in enablement for line in _block("with: ", write_terms(g))),
+                *(line for g in unless for line in _block("unless: ", write_terms(g))),
+                f"pref: {preference}",
+                _RULE,
+                *_chain_lines(chain),
+            ]
+
+
+def _block(head: str, lines: list[str]) -> list[str]:
+    return [head + lines[0], *(" " * len(head) + line for line in lines[1:])]
+
+
+def _directive_lines(directive: Directive) -> list[str]:
+    if directive.graphlet is None:
+        return [f"{directive.tag}[ ]"]
+    lines = _block(f"{directive.tag}[ ", write_terms(directive.graphlet))
+    return [*lines[:-1], lines[-1] + " ]"]
+
+
+def _chain_lines(chain: Chain) -> list[str]:
+    lines: list[str] = []
+    for play in chain.plays:
+        alone = len(play.required) == 1 and not play.auxiliary
+        if alone and isinstance(play.required[0], Directive):
+            lines += _directive_lines(play.required[0])
+            continue
+        inner = [line for part in play.required for line in _part_lines(part)]
+        if play.auxiliary:
+            inner += ["WITH", *(line for part in play.auxiliary for line in _part_lines(part))]
+        lines += ["PLAY{", *("  " + line for line in inner), "}"]
+    return lines
+
+
+def _part_lines(part: Directive | Chain) -> list[str]:
+    if isinstance(part, Directive):
+        return _directive_lines(part)
+    return ["CHAIN{", *("  " + line for line in _chain_lines(part)), "}"]
+
+
+class _Reader:
+    """Recursive descent over the tokens of one lesson."""
+
+    def __init__(self, text: str) -> None:
+        self.left = list(tokens(text))[::-1]
+
+    def content(self) -> Content:
+        first = self.left[-1] if self.left else None
+        if first is not None and first.kind == "section":
+            content: Content = self.rule() if first.text == "if" else self.operator()
+        else:
+            content = self.graphlet()
+        self.end()
+        return content
+
+    def end(self) -> None:
+        if self.left:
+            raise self.wrong("the end")
+
+    def rule(self) -> Rule:
+        condition = self.section("if")
+        unless = self.sections("unless")
+        conclusion = self.section("then")
+        return Rule(condition, conclusion, unless, self.number("belief"))
+
+    def operator(self) -> Operator:
+        self.take("section", "trig")
+        trigger = self.directive()
+        enablement = self.sections("with")
+        unless = self.sections("unless")
+        preference = self.number("pref")
+        self.take("rule")
+        return Operator(trigger, self.chain(), enablement, unless, preference)
+
+    def section(self, name: str) -> Graphlet:
+        self.take("section", name)
+        return self.graphlet()
+
+    def sections(self, name: str) -> tuple[Graphlet, ...]:
+        found = []
+        while self.next_is("section", name):
+            found.append(self.section(name))
+        return tuple(found)
+
+    def number(self, name: str) -> float:
+        self.take("section", name)
+        token = self.take("item")
+        if not re.fullmatch(r"\d+(\.\d+)?", token.text):
+            raise NotationError(token.line, token.text, f"a number after {name}:")
+        return float(token.text)
+
+    def chain(self) -> Chain:
+        plays = []
+        while self.next_is("open"):
+            if self.next_is("open", "PLAY{"):
+                self.take("open")
+                required = self.parts()
+                auxiliary: tuple[Directive | Chain, ...] = ()
+                if self.next_is("word"):
+                    self.take("word")
+                    auxiliary = self.parts()
+                self.take("close", "}")
+                plays.append(Play(required, auxiliary))
+            else:
+                plays.append(Play((self.directive(),)))
+        return Chain(tuple(plays))
+
+    def parts(self) -> tuple[Directive | Chain, ...]:
+        found: list[Directive | Chain] = []
+        while self.next_is("open"):
+            if self.next_is("open", "CHAIN{"):
+                self.take("open")
+                found.append(self.chain())
+                self.take("close", "}")
+            else:
+                found.append(self.directive())
+        return tuple(found)
+
+    def directive(self) -> Directive:
+        token = self.take("open")
+        if not token.text.endswith("["):
+            raise NotationError(token.line, token.text, "a directive such as DO[")
+        graphlet = self.graphlet() if self.next_is("item") else None
+        self.take("close", "]")
+        return Directive(token.text[:-1], graphlet)
+
+    def graphlet(self) -> Graphlet:
+        items = []
+        while self.next_is("item"):
+            items.append(self.left.pop())
+        if not items:
+            raise self.wrong("a node, such as act-1 -lex- drive")
+        return read_terms(items)
+
+    def next_is(self, kind: str, text: str = "") -> bool:
+        return bool(self.left) and self.left[-1].kind == kind and text in ("", self.left[-1].text)
+
+    def take(self, kind: str, text: str = "") -> Token:
+        if not self.next_is(kind, text):
+            raise self.wrong(text or kind)
+        return self.left.pop()
+
+    def wrong(self, expected: str) -> NotationError:
+        token = self.left[-1] if self.left else Token("word", "", 0)
+        return NotationError(token.line, token.text, expected)
