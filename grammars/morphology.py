@@ -70,31 +70,9 @@ _DOUBLING: Final = (
     *("patrol", "unplug", "reset", "rerun", "equip"),
 )
 _VOWELS: Final = "aeiou"
-_AN_EXCEPTIONS: Final = (
-    "hour",
-    "honest",
-    "honor",
-    "honour",
-    "heir",
-    "eleven",
-    "eight",
-    "8",
-    "11",
-    "18",
-)
-_A_EXCEPTIONS: Final = (
-    "uni",
-    "use",
-    "usu",
-    "user",
-    "euro",
-    "one",
-    "once",
-    "uk",
-    "ufo",
-    "ukulele",
-    "unit",
-)
+# Words whose first letter is not their first sound.
+_AN: Final = re.compile(r"hour|honest|hono|heir|8|1[18]\b")
+_A: Final = re.compile(r"uni(?![nmd])|use|usu|euro|one\b|once|uk|ufo")
 
 
 def _table(text: str) -> list[tuple[str, ...]]:
@@ -232,11 +210,9 @@ def _graded(adjective: str, ending: str, word: str) -> str:
 def article(phrase: str) -> Literal["a", "an"]:
     """The indefinite article for what follows: an hour, a unicorn, an old box."""
     word = phrase.lower().partition(" ")[0]
-    if word.startswith(_AN_EXCEPTIONS):
+    if _AN.match(word):
         return "an"
-    if word.startswith(_A_EXCEPTIONS):
-        return "a"
-    return "an" if word[:1] in _VOWELS and word else "a"
+    return "an" if word[:1] in (*_VOWELS,) and not _A.match(word) else "a"
 
 
 def with_article(phrase: str) -> str:
@@ -279,7 +255,7 @@ _IRREGULAR: Final = _reverse()
 _BASES: Final = {"verb": _PAST, "noun": _PLURAL, "adjective": _COMPARATIVE, "adverb": {}}
 # A stem that ends so has lost an e: driv, danc, rotat, wiggl.
 _LOST_E: Final = re.compile(
-    r"(?:[vcuz]|[^s]s|dg|rg|[bcdfgkptz]l|[^aeiou]ir|[a-z]{2,}[^aeiou][aiu]t|[^aeiou]{1,2}[aiou][kmnpbdrl])$"
+    r"(?:[vcuz]|[^s]s|dg|rg|[bcdfgkptz]l|[^aeiou]ir|[a-z]{2,}[^aeiou][au]t|[^aeiou]{1,2}[aiou][kmnpbdrl])$"
 )
 
 
@@ -314,12 +290,11 @@ def readings(word: str, category: Category) -> tuple[Reading, ...]:
     for form in _FORMS[category]:
         irregular = _IRREGULAR.get((word, form), [])
         found.extend(Reading(lemma, form) for lemma in irregular)
-        if not irregular:
-            found.extend(
-                Reading(stem, form)
-                for stem in _stems(word, form)
-                if len(stem) > 1 and _GENERATE[form](stem) == word
-            )
+        found.extend(
+            Reading(stem, form)
+            for stem in _stems(word, form)
+            if len(stem) > 1 and _GENERATE[form](stem) == word
+        )
     itself = Reading(word, "base")
     found.insert(0 if word in _BASES[category] else len(found), itself)
     return tuple(Reading(r.lemma + blank + particle, r.form) for r in dict.fromkeys(found))
