@@ -73,7 +73,7 @@ def lint(folder: Path, *options: str) -> subprocess.CompletedProcess[str]:
     """lint-imports in a folder, as ./run lint calls it."""
     command = [str(Path(sys.executable).parent / "lint-imports"), "--no-logo", *options]
     return subprocess.run(
-        command, cwd=folder, env={"PYTHONPATH": str(folder), "PYTHONSAFEPATH": "1"}, capture_output=True, text=True
+        command, cwd=folder, env={"PYTHONPATH": str(folder)}, capture_output=True, text=True
     )
 
 
