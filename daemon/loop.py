@@ -1,0 +1,331 @@
+"""Where the two streams meet: sentences on their way down, sensor readings on their way up.
+
+One `Cycle` serves real time (daemon/app.py) and virtual time (daemon/rehearse.py) alike: it has no clock and never
+waits. The heartbeat leaves from here and nowhere else, so a hung daemon loses its lease.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Final, Protocol
+
+from daemon import events
+from daemon.speaking.queue import SpeechQueue
+from daemon.speaking.voice import Voice
+from daemon.telling import from_record, from_reply, pose
+from grammars.errors import NotUnderstoodError
+from grammars.parse import parse
+from grammars.render import render
+from grammars.replies import say
+from grammars.vocabulary import Vocabulary, from_policy
+from kernel.action.call import BodyState
+from kernel.memory.exchange import Inputs, Outputs
+from kernel.memory.lesson import Lesson
+from kernel.memory.meaning import Control, Feedback, Heard, Utterance
+
+if TYPE_CHECKING:
+    from firmware_proto.messages import Message
+    from kernel.bodies.body import Body
+    from kernel.mind import Mind
+
+POSE_EVERY_S: Final = 0.1  # poses told while something moves; fine enough to draw a track
+SOURCES_KEPT: Final = 32  # utterances whose origin is remembered for the lessons they become
+STOP_WORDS: Final = frozenset({"stop", "halt", "freeze"})
+BESIDE_STOP: Final = frozenset({"robot", "sayso", "please", "now", "hey"})
+
+
+class Wire(Protocol):
+    """What the cycle needs of a link, real or virtual."""
+
+    @property
+    def connected(self) -> bool:
+        """Up and armed."""
+
+    @property
+    def stop_epoch(self) -> int:
+        """Count of stops."""
+
+    def stop(self) -> int:
+        """STOP at once, past every queue; the new epoch."""
+
+    def received(self) -> list[Message]:
+        """Messages since the last call."""
+
+    def send(self, messages: Sequence[Message], epoch: int) -> None:
+        """Queue messages computed under that epoch; older ones are refused."""
+
+    def beat(self) -> None:
+        """Renew the lease when due."""
+
+
+@dataclass(frozen=True, slots=True)
+class Kept:
+    """A lesson is durable under this number."""
+
+    key: int
+    ident: int
+
+
+@dataclass(frozen=True, slots=True)
+class NotKept:
+    """A lesson could not be stored. why: for a person."""
+
+    key: int
+    why: str
+
+
+class Keeper(Protocol):
+    """Where lessons are made durable, at once or in a thread of its own."""
+
+    def keep(self, key: int, lesson: Lesson, source: str = "") -> None:
+        """Begin to store it. source: where its words came from."""
+
+    def results(self) -> list[Kept | NotKept]:
+        """What was decided since the last call."""
+
+
+def is_stop(text: str) -> bool:
+    """Nothing but a stop word, the robot's name and manners.
+
+    >>> is_stop("Stop, robot!"), is_stop("to stop say hi")
+    (True, False)
+    """
+    words = "".join(c if c.isalpha() else " " for c in text.lower()).split()
+    rest = [word for word in words if word not in BESIDE_STOP]
+    return bool(rest) and all(word in STOP_WORDS for word in rest)
+
+
+@dataclass(frozen=True, slots=True)
+class Understanding:
+    """What parsing made of an utterance: meaning is None where it made nothing of it, and reason says why."""
+
+    utterance: Utterance
+    kind: str
+    readback: str
+    meaning: Heard | None
+    reason: str = ""
+
+
+def understand(utterance: Utterance, vocabulary: Vocabulary) -> Understanding:
+    """Parse the text, else the first alternative that parses. Pure, so it may run in another thread."""
+    first: NotUnderstoodError | None = None
+    for text in (utterance.text, *utterance.alternatives):
+        try:
+            parsed = parse(text, vocabulary)
+        except NotUnderstoodError as error:
+            first = first or error
+            continue
+        readback = render(parsed.meaning, "teacher")
+        return Understanding(utterance, parsed.kind, readback, Heard(utterance, parsed.meaning))
+    return Understanding(utterance, "not_understood", "", None, str(first))
+
+
+def halts(meaning: object) -> bool:
+    """Everything is to stop: such a meaning does not wait for the mind."""
+    if isinstance(meaning, Feedback):
+        return meaning.stop
+    return isinstance(meaning, Control) and meaning.act == "stop" and meaning.about is None
+
+
+class Cycle:
+    """Messages in, mind, messages out: one step at a time.
+
+    Args:
+        mind: fresh, with the lessons in force.
+        body: turns messages into a state, and bids into messages.
+        link: carries them.
+        voice: says what is to be said.
+        keeper: makes lessons durable.
+        emit: told of everything that happens; must not wait and must not raise.
+    """
+
+    def __init__(
+        self,
+        *,
+        mind: Mind,
+        body: Body,
+        link: Wire,
+        voice: Voice,
+        keeper: Keeper,
+        emit: Callable[[events.Event], None],
+    ) -> None:
+        self._mind, self._body, self._link, self._keeper = mind, body, link, keeper
+        self._emit = emit
+        self._speech = SpeechQueue(voice, emit)
+        self._heard: list[Heard] = []
+        self._kept: list[Kept | NotKept] = []
+        self._keeping: dict[int, Lesson] = {}
+        self._sources: dict[str, str] = {}
+        self._busy = False
+        self._up: bool | None = None
+        self._posed: events.Pose | None = None
+        self.now_s = 0.0
+        self.state = BodyState()
+        self.failures = 0
+        self.vocabulary = from_policy(mind.policy)
+
+    @property
+    def idle(self) -> bool:
+        """Nothing is going on, is being said, waits to be thought about or waits for the store."""
+        return not (self._busy or self._heard or self._keeping or self._kept) and self._speech.idle
+
+    @property
+    def speaking(self) -> bool:
+        """The voice is in use (hearing is gated meanwhile)."""
+        return self._speech.speaking
+
+    @property
+    def mind(self) -> Mind:
+        """The mind, for asking (policy, speaker), not for ticking."""
+        return self._mind
+
+    @property
+    def pose(self) -> events.Pose:
+        """Where the body is now."""
+        return pose(self.now_s, self.state)
+
+    def stop(self, source: str) -> int:
+        """STOP on the wire, before and past everything; speech ends. The mind halts in the next step."""
+        epoch = self._link.stop()
+        self._speech.hush(self.now_s)
+        self._emit(events.Stopped(t=self.now_s, source=source, epoch=epoch))
+        return epoch
+
+    def hear(self, utterance: Utterance, source: str = "typed") -> Understanding:
+        """Take an utterance: stop words act before they are understood; what is not understood moves nothing."""
+        self.begin(utterance, source)
+        understanding = understand(utterance, self.vocabulary)
+        self.take(understanding, source)
+        return understanding
+
+    def begin(self, utterance: Utterance, source: str = "typed") -> None:
+        """The first half of `hear`: report it, and stop if it is a stop word."""
+        if is_stop(utterance.text):
+            self.stop(source)
+        self._emit(
+            events.Heard(
+                t=self.now_s,
+                text=utterance.text,
+                speaker=utterance.speaker,
+                confidence=utterance.confidence,
+            )
+        )
+
+    def take(self, understanding: Understanding, source: str = "typed") -> None:
+        """The second half: what it means goes to the mind in the next step, or a reply says that it means nothing."""
+        text = understanding.utterance.text
+        if understanding.meaning is None:
+            reason = understanding.reason
+            self._emit(events.NotUnderstood(t=self.now_s, text=text, reason=reason))
+            return
+        if halts(understanding.meaning.meaning) and not is_stop(text):
+            self.stop(source)
+        self._emit(
+            events.Understood(
+                t=self.now_s, text=text, readback=understanding.readback, kind=understanding.kind
+            )
+        )
+        self._heard.append(understanding.meaning)
+        self._sources[text] = source
+        if len(self._sources) > SOURCES_KEPT:
+            del self._sources[next(iter(self._sources))]
+
+    def step(self, now_s: float) -> None:
+        """One cycle. However it goes wrong: wheels stopped, an error told, and the next step tries again."""
+        self.now_s = now_s
+        try:
+            outputs = self._think(now_s)
+            self._tell(outputs, now_s)
+        except Exception as error:
+            self._crashed(error)
+        else:
+            self.failures = 0
+
+    def _think(self, now_s: float) -> Outputs:
+        self.state = self._body.sense(self._link.received(), now_s, self._link.connected)
+        self._kept.extend(self._keeper.results())
+        heard, self._heard = tuple(self._heard), []
+        spoken = self._speech.step(now_s)
+        outputs = self._mind.tick(
+            Inputs(
+                now_s=now_s,
+                body=self.state,
+                heard=heard,
+                spoken=spoken,
+                persisted=tuple((k.key, k.ident) for k in self._kept if isinstance(k, Kept)),
+                persist_failed=tuple((k.key, k.why) for k in self._kept if isinstance(k, NotKept)),
+                stop_epoch=self._link.stop_epoch,
+            )
+        )
+        self._link.send(self._body.act(outputs.bids, now_s), outputs.stop_epoch)
+        self._link.beat()
+        self._busy = outputs.busy
+        return outputs
+
+    def _tell(self, outputs: Outputs, now_s: float) -> None:
+        self._watch_link(now_s)
+        self._settle_lessons(now_s)
+        for key, lesson in outputs.persist:
+            self._keeping[key] = lesson
+            self._keeper.keep(key, lesson, self._sources.get(lesson.words, ""))
+        moved = False
+        for record in outputs.trace:
+            event = from_record(record, now_s)
+            self._emit(event)
+            moved = moved or isinstance(event, events.ActionEnded)
+        for reply in outputs.replies:
+            said = say(reply)
+            for event in from_reply(reply, said, now_s):
+                self._emit(event)
+            if said.spoken:
+                self._speech.add(said.spoken)
+        for bid in outputs.speech:
+            self._speech.add(getattr(bid.command, "text", ""), bid.ticket)
+        self._watch_pose(now_s, told=moved)
+
+    def _settle_lessons(self, now_s: float) -> None:
+        """Told only after the tick in which the mind took them into force."""
+        if not self._kept:
+            return
+        while self._kept:
+            result = self._kept.pop(0)
+            lesson = self._keeping.pop(result.key)
+            if isinstance(result, NotKept):
+                self._emit(events.Error(t=now_s, part="store", text=result.why))
+                continue
+            self._emit(
+                events.Lesson(
+                    t=now_s,
+                    ident=result.ident,
+                    kind=lesson.kind,
+                    words=lesson.words,
+                    readback=render(lesson.content, "teacher"),
+                    teacher=lesson.teacher,
+                )
+            )
+        self.vocabulary = from_policy(self._mind.policy)
+
+    def _watch_link(self, now_s: float) -> None:
+        if self._link.connected != self._up:
+            self._up = self._link.connected
+            self._emit(events.Link(t=now_s, up=self._up))
+
+    def _watch_pose(self, now_s: float, *, told: bool) -> None:
+        """At the end of every action, and now and then while something moves."""
+        current = pose(now_s, self.state)
+        last = self._posed
+        if not told and last is not None:
+            same = events.as_dict(current) | {"t": 0} == events.as_dict(last) | {"t": 0}
+            if same or now_s - last.t < POSE_EVERY_S:
+                return
+        self._posed = current
+        self._emit(current)
+
+    def _crashed(self, error: Exception) -> None:
+        """The first failure in a row stops the robot and is told; the others only count, and the watchdog starves."""
+        self.failures += 1
+        if self.failures > 1:
+            return
+        self._emit(events.Error(t=self.now_s, part="mind", text=f"{type(error).__name__}: {error}"))
+        self.stop("crash")

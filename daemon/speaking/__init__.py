@@ -1,0 +1,1 @@
+"""Voices: how the robot is heard."""

@@ -1,0 +1,84 @@
+"""How the cycle's lessons reach the store: at once (virtual time), or through the one writer thread (real time)."""
+
+from __future__ import annotations
+
+import sqlite3
+import threading
+from collections import deque
+from collections.abc import Callable
+from queue import SimpleQueue
+
+from daemon.loop import Kept, NotKept
+from daemon.store import Store
+from kernel.memory.lesson import Lesson
+
+
+def _kept(store: Store, key: int, lesson: Lesson, source: str) -> Kept | NotKept:
+    try:
+        return Kept(key, store.add(lesson, source))
+    except sqlite3.Error as error:
+        return NotKept(key, str(error))
+
+
+class AtOnce:
+    """Stores in the caller's thread: deterministic, for virtual time."""
+
+    def __init__(self, store: Store) -> None:
+        self._store = store
+        self._results: list[Kept | NotKept] = []
+
+    def keep(self, key: int, lesson: Lesson, source: str = "") -> None:
+        """Store it now; the result waits for `results`."""
+        self._results.append(_kept(self._store, key, lesson, source))
+
+    def results(self) -> list[Kept | NotKept]:
+        """Results since the last call."""
+        results, self._results = self._results, []
+        return results
+
+
+class Writer:
+    """Stores in a thread of its own.
+
+    Args:
+        store: used by that thread alone from now on, until `close` returns.
+        wake: called from that thread after each result.
+        failed: called from that thread with the reason when something other than a lesson could not be written.
+    """
+
+    def __init__(
+        self, store: Store, wake: Callable[[], None], failed: Callable[[str], None]
+    ) -> None:
+        self._store, self._wake, self._failed = store, wake, failed
+        self._jobs: SimpleQueue[Callable[[], None] | None] = SimpleQueue()
+        self._results: deque[Kept | NotKept] = deque()
+        self._thread = threading.Thread(target=self._run, name="store", daemon=True)
+        self._thread.start()
+
+    def keep(self, key: int, lesson: Lesson, source: str = "") -> None:
+        """Queue a lesson."""
+        self._jobs.put(lambda: self._keep(key, lesson, source))
+
+    def results(self) -> list[Kept | NotKept]:
+        """Results since the last call."""
+        return [self._results.popleft() for _ in range(len(self._results))]
+
+    def log(self, at_s: float, text: str, speaker: str, source: str, kind: str) -> None:
+        """Queue a line of the utterance log."""
+        self._jobs.put(lambda: self._store.log(at_s, text, speaker, source, kind))
+
+    def close(self, timeout_s: float = 0.5) -> None:
+        """Finish what is queued and end the thread."""
+        self._jobs.put(None)
+        self._thread.join(timeout_s)
+
+    def _keep(self, key: int, lesson: Lesson, source: str) -> None:
+        self._results.append(_kept(self._store, key, lesson, source))
+        self._wake()
+
+    def _run(self) -> None:
+        while (job := self._jobs.get()) is not None:
+            try:
+                job()
+            except sqlite3.Error as error:
+                self._failed(str(error))
