@@ -24,7 +24,7 @@ from daemon.dialogue import (
 )
 from daemon.expectation import expectation
 
-LINES = {
+LINES: dict[str, Step] = {
     "you: drive forward": You(1, "drive forward"),
     "you(Rick): Turn right!": You(1, "Turn right!", "rick"),
     "you(unknown): hello: robot": You(1, "hello: robot", ""),
@@ -117,11 +117,8 @@ def test_any_text_is_parsed_or_refused_with_a_line(text: str) -> None:
 
 @given(st.lists(st.sampled_from(sorted(LINES))))
 def test_steps_come_in_the_order_of_their_lines(lines: list[str]) -> None:
-    def kinds(steps: tuple[Step, ...]) -> list[type[Step]]:
-        return [type(step) for step in steps]
-
     steps = parse("\n".join(lines), folder=Path("here")).steps
-    assert kinds(steps) == kinds(tuple(LINES[line] for line in lines))
+    assert [type(step) for step in steps] == [type(LINES[line]) for line in lines]
     assert [step.line for step in steps] == list(range(1, len(lines) + 1))
 
 

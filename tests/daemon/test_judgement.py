@@ -121,8 +121,8 @@ TABLE: list[tuple[str, tuple[Sample, ...], tuple[ev.Event, ...], bool]] = [
     ("turns left 80..100 degrees, then turns left 80..100 degrees", moving(deg=180), (), True),
     ("turns left 80..100 degrees, then turns left 80..100 degrees", moving(deg=90), (), False),
     (
-        "turns left 80..100 degrees, then moves forward 15..25 cm, then turns left 80..100 degrees",
-        then(then(moving(deg=90), moving(cm=20)), moving(deg=90)), (), True,
+        "turns left 80..100 degrees, then lifts, then turns left 80..100 degrees",
+        then(then(moving(deg=90), moving(lift=300)), moving(deg=90)), (), True,
     ),
     ('says "coming through", then lifts', moving(lift=300, at_s=1.7), SAID, True),
     ('says "coming through", then lifts', moving(lift=300, at_s=0), SAID, False),
