@@ -34,3 +34,19 @@ class LimitError(KernelError):
     def __init__(self, verb: str, detail: str) -> None:
         super().__init__(f"{verb}: more than {detail}")
         self.verb, self.detail = verb, detail
+
+
+class NoSenseError(KernelError):
+    """Nothing on this body can perceive what was asked for. what: the verb's object, or the verb."""
+
+    def __init__(self, what: str) -> None:
+        super().__init__(f"no sense for {what}")
+        self.what = what
+
+
+class MotionFailedError(KernelError):
+    """The body reports that an action cannot be executed to its end. why: as in BodyState.failed."""
+
+    def __init__(self, ticket: int, why: str) -> None:
+        super().__init__(f"action {ticket}: {why}")
+        self.ticket, self.why = ticket, why

@@ -7,9 +7,13 @@ are resolved within the grounding kernel").
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Generator, Mapping
 from dataclasses import dataclass, field
-from typing import Literal
+from typing import Final, Literal
+
+from kernel.action.verdict import Verdict
+from kernel.errors import NotGroundedError
+from kernel.net.node import Node
 
 
 @dataclass(frozen=True, slots=True)
@@ -38,10 +42,11 @@ class MoveLift:
 
 @dataclass(frozen=True, slots=True)
 class MoveGrip:
-    """Bring the gripper to an opening: 0 closed, 1 open. Closing on nothing is reported as a miss."""
+    """Bring the gripper to an opening: 0 closed, 1 open. must_hold: closing on nothing is reported as a miss."""
 
     target: float
     per_second: float = 1.0
+    must_hold: bool = True
 
 
 @dataclass(frozen=True, slots=True)
@@ -99,3 +104,111 @@ class BodyState:
     battery_v: float | None = None
     done: frozenset[int] = frozenset()
     failed: Mapping[int, MoveFailure] = field(default_factory=dict)
+
+
+class Tick:
+    """The present, as grounding functions see it; the same object is kept up to date from tick to tick.
+
+    Attributes:
+        now_s: monotonic time, s.
+        body: the body's own report.
+        spoken: voice tickets whose speech has ended.
+    """
+
+    def __init__(self) -> None:
+        self.now_s = 0.0
+        self.body = BodyState()
+        self.spoken: frozenset[int] = frozenset()
+
+
+Act = Generator[Bid | None, None, Verdict]
+
+
+@dataclass(frozen=True, slots=True)
+class Call:
+    """A grounding function is called on an action node.
+
+    Attributes:
+        act: the action; the whole net can be read from it.
+        depth: level up to which nodes and words count.
+        ticket: number of this action, for its bids.
+    """
+
+    act: Node
+    depth: int
+    ticket: int
+
+    @property
+    def verb(self) -> str:
+        """A word for the action, as it was said."""
+        return min(self.act.lex, default="do")
+
+    def modifiers(self, role: str) -> tuple[Node, ...]:
+        """Predicates on the action by this role, in order."""
+        return tuple(n for n in self.act.modifiers(role) if n.level <= self.depth)
+
+    def words(self, role: str) -> frozenset[str]:
+        """Every word, told or concluded, of the action's modifiers by this role."""
+        return frozenset(
+            word
+            for node in self.modifiers(role)
+            for word in node.words()
+            if node.known_as(word, self.depth)
+        )
+
+    def degree(self, node: Node) -> frozenset[str]:
+        """Words of degree on a node: very, little, fully."""
+        return frozenset(
+            word for n in node.modifiers("deg") if n.level <= self.depth for word in n.words()
+        )
+
+    def amount(self) -> tuple[float, str] | None:
+        """Number and unit of the action's amount, or None.
+
+        Raises:
+            NotGroundedError: the amount is no number.
+        """
+        for node in self.modifiers("amt"):
+            unit = min(node.lex, default="")
+            try:
+                return float(node.literal or "1"), unit
+            except ValueError:
+                raise NotGroundedError(self.verb, node.literal or "") from None
+        return None
+
+    def argument(self, role: str) -> Node | None:
+        """What the action points to by the role."""
+        return next(self.act.to(role), None)
+
+
+GroundingCode = Callable[[Call, Tick], Act]
+
+
+@dataclass(frozen=True, slots=True)
+class Grounding:
+    """A registered grounding function: name, verbs it carries out, code."""
+
+    name: str
+    verbs: tuple[str, ...]
+    code: GroundingCode
+
+
+GROUNDINGS: Final[dict[str, Grounding]] = {}
+
+
+def grounding_function(
+    name: str, verbs: tuple[str, ...] = ()
+) -> Callable[[GroundingCode], GroundingCode]:
+    """Register a grounding function; every verb gets an operator DO[verb] -> FCN[name].
+
+    Raises:
+        ValueError: the name is taken.
+    """
+
+    def register(code: GroundingCode) -> GroundingCode:
+        if name in GROUNDINGS:
+            raise ValueError(f"grounding function {name} is registered twice")
+        GROUNDINGS[name] = Grounding(name, verbs, code)
+        return code
+
+    return register

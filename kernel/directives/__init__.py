@@ -1,1 +1,1 @@
-"""See the module docstrings; files here register themselves."""
+"""One file for each directive; each registers its code with @directive(TAG). ANTE and POST are phases of DO."""

@@ -1,1 +1,1 @@
-"""See the module docstrings; files here register themselves."""
+"""One file for each ability of the body; each registers its functions with @grounding_function(name, verbs=...)."""

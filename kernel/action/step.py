@@ -1,0 +1,68 @@
+"""Directives as generators: `yield` means "not done this tick", `return` gives the verdict."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Generator, Iterator
+from typing import Final, Protocol
+
+from kernel.action.verdict import Verdict
+
+Run = Generator[None, None, Verdict]
+
+
+class Advice(Protocol):
+    """An operator with the binding under which it applies; opaque to directives."""
+
+
+class Step(Protocol):
+    """One directive being carried out, as a directive's code sees it; the mind implements it."""
+
+    def operators(self, tag: str) -> Iterator[Advice]:
+        """Applicable operators of this tag, chosen one by one by weight, none twice."""
+
+    def desperate(self) -> bool:
+        """Lower the belief threshold for this step; False if it was lowered already."""
+
+    def run(self, advice: Advice) -> Run:
+        """Run an operator's chain."""
+
+    def truth(self) -> bool | None:
+        """Whether memory holds the graphlet (True), its denial (False), or neither."""
+
+    def referent(self) -> bool:
+        """Bind the main node to something known, or assume it where that is allowed."""
+
+    def call(self) -> Run:
+        """Call the grounding function that the FCN node names, on the node its arg points to."""
+
+    def learn(self) -> Run:
+        """Make the lesson at hand durable, then put it in force."""
+
+    def answer(self) -> None:
+        """Reply to the question at hand from memory."""
+
+    def times(self) -> int:
+        """How often the action is to be done: "twice" is 2."""
+
+    def explain(self, reason: str) -> None:
+        """Say why this step fails, unless something below it has said so already."""
+
+
+DirectiveCode = Callable[[Step], Run]
+DIRECTIVES: Final[dict[str, DirectiveCode]] = {}
+
+
+def directive(tag: str) -> Callable[[DirectiveCode], DirectiveCode]:
+    """Register the code of a directive under its tag.
+
+    Raises:
+        ValueError: the tag is taken.
+    """
+
+    def register(code: DirectiveCode) -> DirectiveCode:
+        if tag in DIRECTIVES:
+            raise ValueError(f"directive {tag} is registered twice")
+        DIRECTIVES[tag] = code
+        return code
+
+    return register

@@ -1,0 +1,46 @@
+"""DO: act. Becomes ANTE, then DO, then POST."""
+
+from __future__ import annotations
+
+from kernel.action.step import Run, Step, directive
+from kernel.action.verdict import Verdict
+
+
+@directive("DO")
+def do(step: Step) -> Run:
+    """Prepare with every ANTE operator, act with DO operators until one succeeds, tidy up with every POST operator.
+
+    A failing ANTE or POST operator changes nothing; a PUNT in an ANTE operator is a prohibition and fails the
+    directive before anything moves.
+
+    Source: Connell 2019, section 3. POST after a PUNT is not stated there; it runs only once acting was allowed.
+    """
+    for operator in step.operators("ANTE"):
+        if (yield from step.run(operator)) is Verdict.PUNTED:
+            step.explain("prohibited")
+            return Verdict.FAILED
+
+    outcome = Verdict.FAILED
+    for _ in range(step.times()):
+        outcome = yield from _act(step)
+        if outcome is not Verdict.SUCCEEDED:
+            break
+
+    for operator in step.operators("POST"):
+        yield from step.run(operator)
+    return outcome
+
+
+def _act(step: Step) -> Run:
+    """One round of DO operators; a second one at a lower belief threshold where none applied (mind.md)."""
+    tried = False
+    while True:
+        for operator in step.operators("DO"):
+            tried = True
+            if (yield from step.run(operator)) is Verdict.SUCCEEDED:
+                return Verdict.SUCCEEDED
+        if tried or not step.desperate():
+            break
+    if not tried:
+        step.explain("no_way")
+    return Verdict.FAILED

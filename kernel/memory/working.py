@@ -1,0 +1,176 @@
+"""Working memory: the net, what was told and sensed, and which of it is in mind.
+
+In mind is everything reachable from active and fading foci, the robot itself, the current user, what is sensed, and
+told facts about anything among these (mind.md).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable
+from dataclasses import replace
+from typing import Final
+
+from kernel.memory.halo import Halo
+from kernel.memory.rules import RuleBook
+from kernel.net.graphlet import Graphlet
+from kernel.net.match import Binding, matches
+from kernel.net.node import BAND_2, REMEMBERED, WORKING, Net, Node, instantiate
+
+TOLD_LIMIT: Final = 1000  # mind.md: told facts a session keeps
+
+
+class WorkingMemory:
+    """The three levels of memory over one net.
+
+    Attributes:
+        net: all nodes.
+        me: the robot ("you" to a person); user: the node of the person speaking.
+        told: facts by their main node, least recently mentioned first, with the nodes that carry them.
+    """
+
+    def __init__(self, roots: Callable[[], Iterable[Node]], parts: Iterable[str] = ()) -> None:
+        """roots: nodes of the foci in attention; parts: nouns of the body ("gripper")."""
+        self.net = Net()
+        self.rules = RuleBook()
+        self.halo = Halo(self.net)
+        self.told: dict[Node, tuple[Node, ...]] = {}
+        self._roots = roots
+        self._sensed: dict[str, tuple[Node, ...]] = {}
+        self._stale = True
+        self.me = self.net.new("self", "you")
+        self._anyone = self.net.new("user", "me")
+        self.user = self._anyone
+        self._born = frozenset(node for part in parts for node in self._part(part))
+
+    def _part(self, noun: str) -> tuple[Node, ...]:
+        thing = self.net.new("obj")
+        kind = self.net.new("ako", noun, ako=thing)
+        mine = self.net.new("own", own=thing, of=self.me)
+        return thing, kind, mine
+
+    def changed(self) -> None:
+        """Something was added or taken away: what is in mind is to be worked out anew."""
+        self._stale = True
+
+    def refresh(self) -> None:
+        """Bring levels and halo up to date; cheap when nothing changed."""
+        if not self._stale:
+            return
+        self._stale = False
+        self.halo.clear()
+        kept = self._kept()
+        for node in kept:
+            node.level = REMEMBERED
+        pending = [self.me, self.user, *self._roots()]
+        pending += [node for group in self._sensed.values() for node in group]
+        seen: set[Node] = set()
+        while pending:
+            node = pending.pop()
+            if node in seen:
+                continue
+            seen.add(node)
+            node.level = WORKING
+            pending += [other for _, other in node.links]
+            pending += [other for _, other in node.into if other in kept]
+        self.halo.derive(self.rules)
+
+    def _kept(self) -> set[Node]:
+        groups = (*self.told.values(), *self._sensed.values())
+        return {node for group in groups for node in group} | self._born
+
+    # -- what was told ---------------------------------------------------------------------
+
+    def tell(self, fact: Graphlet, binding: Binding) -> tuple[Binding, tuple[Node, ...]]:
+        """Take a fact for true: nodes for it (those it had already if it was told before), and what it contradicts
+        is taken back.
+
+        Returns:
+            The binding, and the nodes that carry the fact, main first.
+        """
+        denied = Graphlet(
+            tuple(
+                replace(t, negated=not t.negated) if t.name == fact.main else t for t in fact.terms
+            ),
+            fact.main,
+        )
+        for opposite in list(matches(denied, self.net, REMEMBERED, binding, 0.0)):
+            self.retract(opposite[fact.main])
+        for same in matches(fact, self.net, REMEMBERED, binding, 0.0):
+            if same[fact.main] in self.told:
+                self.mention(same[fact.main])
+                return same, self.told[same[fact.main]]
+        bound = instantiate(self.net, fact, binding)
+        group = tuple(dict.fromkeys(node for name, node in bound.items() if name not in binding))
+        carrying = (bound[fact.main], *(n for n in group if n is not bound[fact.main]))
+        self._remember(carrying)
+        return bound, carrying
+
+    def _remember(self, group: tuple[Node, ...]) -> None:
+        self.told[group[0]] = group
+        while len(self.told) > TOLD_LIMIT:
+            self.retract(next(iter(self.told)))
+        self.changed()
+
+    def remember_description(self, nodes: Iterable[Node]) -> None:
+        """Keep the nodes that describe something a fact is about, as long as any told fact is kept."""
+        for node in nodes:
+            if (
+                any(role in ("ako", "hq", "own") for role, _ in node.links)
+                and node not in self.told
+            ):
+                self._remember((node,))
+
+    def mention(self, main: Node) -> None:
+        """A told fact came up again: it is the most recent now."""
+        if main in self.told:
+            self.told[main] = self.told.pop(main)
+
+    def retract(self, main: Node) -> None:
+        """Take a told fact back."""
+        for node in self.told.pop(main, ()):
+            self.net.drop(node)
+        self.changed()
+
+    def is_lasting(self, node: Node) -> bool:
+        """Whether the node outlives the focus that made it."""
+        if node in (self.me, self.user, self._anyone) or node in self._kept():
+            return True
+        kept = self._kept()
+        return any(other in kept for _, other in node.into)
+
+    # -- what is sensed --------------------------------------------------------------------
+
+    def sense(self, key: str, fact: Graphlet, about: Binding) -> tuple[Node, ...]:
+        """Hold a sensed fact under a key until `unsense`; return its nodes, main first."""
+        self.unsense(key)
+        bound = instantiate(self.net, fact, about)
+        new = [node for name, node in bound.items() if name not in about]
+        self._sensed[key] = (bound[fact.main], *(n for n in new if n is not bound[fact.main]))
+        self.changed()
+        return self._sensed[key]
+
+    def unsense(self, key: str) -> None:
+        """The sensor does not say so any more."""
+        for node in self._sensed.pop(key, ()):
+            self.net.drop(node)
+        self.changed()
+
+    # -- who is there ----------------------------------------------------------------------
+
+    def person_speaking(self, name: str) -> None:
+        """Make the named person the current user; "" is somebody not identified."""
+        person = self._anyone
+        if name:
+            known = [n for n in self.net.with_word(name) if n.kind in ("obj", "user")]
+            person = known[0] if known else self.net.new("user", name)
+        if person is self.user:
+            return
+        self.net.unname(self.user, "me")
+        self.net.name(person, "me")
+        self.user = person
+        self.changed()
+
+    @property
+    def depth(self) -> int:
+        """Level up to which operators see."""
+        return BAND_2
