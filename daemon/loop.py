@@ -22,11 +22,11 @@ from grammars.vocabulary import Vocabulary, from_policy
 from kernel.action.call import BodyState
 from kernel.memory.exchange import Inputs, Outputs
 from kernel.memory.lesson import Lesson
-from kernel.memory.meaning import Control, Feedback, Heard, Utterance
+from kernel.memory.meaning import Command, Control, Feedback, Heard, Meaning, Revision, Utterance
 
 if TYPE_CHECKING:
     from firmware_proto.messages import Message
-    from kernel.bodies.body import Body
+    from kernel.bodies.registry import Body
     from kernel.mind import Mind
 
 POSE_EVERY_S: Final = 0.1  # poses told while something moves; fine enough to draw a track
@@ -98,13 +98,13 @@ def is_stop(text: str) -> bool:
 
 @dataclass(frozen=True, slots=True)
 class Understanding:
-    """What parsing made of an utterance: meaning is None where it made nothing of it, and reason says why."""
+    """What parsing made of an utterance: either heard, or the error that says what was understood."""
 
     utterance: Utterance
     kind: str
     readback: str
-    meaning: Heard | None
-    reason: str = ""
+    heard: Heard | None
+    error: NotUnderstoodError | None = None
 
 
 def understand(utterance: Utterance, vocabulary: Vocabulary) -> Understanding:
@@ -118,10 +118,10 @@ def understand(utterance: Utterance, vocabulary: Vocabulary) -> Understanding:
             continue
         readback = render(parsed.meaning, "teacher")
         return Understanding(utterance, parsed.kind, readback, Heard(utterance, parsed.meaning))
-    return Understanding(utterance, "not_understood", "", None, str(first))
+    return Understanding(utterance, "not_understood", "", None, first)
 
 
-def halts(meaning: object) -> bool:
+def halts(meaning: Meaning) -> bool:
     """Everything is to stop: such a meaning does not wait for the mind."""
     if isinstance(meaning, Feedback):
         return meaning.stop
@@ -166,9 +166,14 @@ class Cycle:
         self.vocabulary = from_policy(mind.policy)
 
     @property
+    def settled(self) -> bool:
+        """Nothing is going on, waits to be thought about or waits for the store."""
+        return not (self._busy or self._heard or self._keeping or self._kept)
+
+    @property
     def idle(self) -> bool:
-        """Nothing is going on, is being said, waits to be thought about or waits for the store."""
-        return not (self._busy or self._heard or self._keeping or self._kept) and self._speech.idle
+        """Settled, and nothing is being said."""
+        return self.settled and self._speech.idle
 
     @property
     def speaking(self) -> bool:
@@ -186,21 +191,29 @@ class Cycle:
         return pose(self.now_s, self.state)
 
     def stop(self, source: str) -> int:
-        """STOP on the wire, before and past everything; speech ends. The mind halts in the next step."""
+        """STOP on the wire, before and past everything; speech ends. The mind halts in the next step.
+
+        Commands that were heard and not yet thought about are dropped: none may move after it.
+        """
         epoch = self._link.stop()
+        self._body.halt()
         self._speech.hush(self.now_s)
         self._emit(events.Stopped(t=self.now_s, source=source, epoch=epoch))
+        waiting, self._heard = self._heard, []
+        for heard in waiting:
+            if not self._dropped(heard):
+                self._heard.append(heard)
         return epoch
 
     def hear(self, utterance: Utterance, source: str = "typed") -> Understanding:
         """Take an utterance: stop words act before they are understood; what is not understood moves nothing."""
-        self.begin(utterance, source)
+        epoch = self.begin(utterance, source)
         understanding = understand(utterance, self.vocabulary)
-        self.take(understanding, source)
+        self.take(understanding, epoch, source)
         return understanding
 
-    def begin(self, utterance: Utterance, source: str = "typed") -> None:
-        """The first half of `hear`: report it, and stop if it is a stop word."""
+    def begin(self, utterance: Utterance, source: str = "typed") -> int:
+        """The first half of `hear`: report it, stop if it is a stop word; the stop epoch it belongs to."""
         if is_stop(utterance.text):
             self.stop(source)
         self._emit(
@@ -211,25 +224,40 @@ class Cycle:
                 confidence=utterance.confidence,
             )
         )
+        return self._link.stop_epoch
 
-    def take(self, understanding: Understanding, source: str = "typed") -> None:
-        """The second half: what it means goes to the mind in the next step, or a reply says that it means nothing."""
+    def take(self, understanding: Understanding, epoch: int, source: str = "typed") -> None:
+        """The second half: its meaning goes to the mind in the next step, or a reply says that it has none.
+
+        A command that was heard before a stop and understood after it is dropped.
+        """
         text = understanding.utterance.text
-        if understanding.meaning is None:
-            reason = understanding.reason
-            self._emit(events.NotUnderstood(t=self.now_s, text=text, reason=reason))
+        if understanding.error is not None:
+            said = say(understanding.error)
+            self._emit(events.NotUnderstood(t=self.now_s, text=text, reason=said.shown))
+            self._speech.add(said.spoken)
+        if (heard := understanding.heard) is None:
             return
-        if halts(understanding.meaning.meaning) and not is_stop(text):
+        if halts(heard.meaning) and not is_stop(text):
             self.stop(source)
         self._emit(
             events.Understood(
                 t=self.now_s, text=text, readback=understanding.readback, kind=understanding.kind
             )
         )
-        self._heard.append(understanding.meaning)
+        if epoch < self._link.stop_epoch and self._dropped(heard):
+            return
+        self._heard.append(heard)
         self._sources[text] = source
         if len(self._sources) > SOURCES_KEPT:
             del self._sources[next(iter(self._sources))]
+
+    def _dropped(self, heard: Heard) -> bool:
+        if not isinstance(heard.meaning, Command | Revision):
+            return False
+        text = heard.utterance.text
+        self._emit(events.Ended(t=self.now_s, text=text, verdict="stopped", utterance=text))
+        return True
 
     def step(self, now_s: float) -> None:
         """One cycle. However it goes wrong: wheels stopped, an error told, and the next step tries again."""

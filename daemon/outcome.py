@@ -1,0 +1,47 @@
+"""What an utterance came to, judged by the events that follow it."""
+
+from __future__ import annotations
+
+from typing import Final
+
+from daemon import events
+from daemon.control.messages import OutcomeWord
+
+
+EXIT_STATUS: Final[dict[str, int]] = {"done": 0, "running": 0, "failed": 1, "not_understood": 3}
+
+
+class Following:
+    """Watches the events after an utterance.
+
+    Args:
+        text: the utterance, as it was given to the cycle.
+    """
+
+    def __init__(self, text: str) -> None:
+        self._text = text
+        self._outcome: OutcomeWord = "done"
+
+    @property
+    def outcome(self) -> OutcomeWord:
+        """As things are now: meant to be read once nothing is going on any more."""
+        return self._outcome
+
+    def see(self, event: events.Event) -> None:
+        """Take one event into account."""
+        match event:
+            case events.NotUnderstood(text=text) if text == self._text:
+                self._outcome = "not_understood"
+            case events.Replied(ok=False) | events.Prohibited():
+                self._fail()
+            case events.Ended(utterance=utterance, verdict=verdict) if utterance == self._text:
+                if verdict != "succeeded":
+                    self._fail()
+            case events.Error(part="mind" | "store"):
+                self._fail()
+            case _:
+                pass
+
+    def _fail(self) -> None:
+        if self._outcome == "done":
+            self._outcome = "failed"
