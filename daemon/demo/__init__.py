@@ -1,0 +1,1 @@
+"""The paper's demonstration: script, recordings, and telling it live."""
