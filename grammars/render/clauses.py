@@ -1,0 +1,140 @@
+"""Clauses: predicates of a net as statements, "something is very close and the gripper is empty"."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass
+from typing import Final
+
+from grammars.morphology import article, comparative, third_person
+from grammars.render.deeds import be, deed
+from grammars.render.telling import SAYING, Telling, is_predicate, linked, word
+from grammars.render.things import described, description, kind, place, proper, quality, thing
+from kernel.net.graphlet import Graphlet, Term
+
+_ABSOLUTE: Final = {"my": "mine", "your": "yours", "her": "hers", "their": "theirs"}
+
+
+@dataclass(frozen=True, slots=True)
+class Clause:
+    """Subject and predicate, ready to be stated or asked.
+
+    Attributes:
+        subject: who or what.
+        verb: the verb that changes places with the subject in a question: is, does.
+        stated: the predicate behind the subject: "is not close", "has a hat".
+        asked: the predicate behind verb and subject: "not close", "have a hat".
+    """
+
+    subject: str
+    verb: str
+    stated: str
+    asked: str
+
+    def __str__(self) -> str:
+        return f"{self.subject} {self.stated}"
+
+
+def conditions(telling: Telling, graphlet: Graphlet, hedge: str = "") -> str:
+    """Everything a graphlet says, as clauses joined by "and", the main one first.
+
+    Args:
+        telling: the state; things mentioned before are referred back to.
+        graphlet: its predicates are told, each once.
+        hedge: adverb of belief to put into the first clause.
+    """
+    predicates = [term for term in graphlet if is_predicate(term)]
+    telling.release(predicates)
+    main = next((term for term in graphlet if term.name == graphlet.main), None)
+    told = []
+    if main is not None and not is_predicate(main):
+        told.append(naming(telling, main))
+    elif main is not None:
+        told.append(clause(telling, main, hedge, predicates))
+    while left := [term for term in predicates if term.name not in telling.stated]:
+        told.append(clause(telling, max(left, key=_telling_first), "", predicates))
+    return " and ".join(map(str, told))
+
+
+def clause(telling: Telling, term: Term, hedge: str, others: Iterable[Term] = ()) -> Clause:
+    """One predicate as a clause; denied ones among `others` wait for clauses of their own."""
+    telling.stated.add(term.name)
+    adverb = f"{hedge} " if hedge else ""
+    if term.kind == "act":
+        return _doing(telling, term, adverb)
+    role = next(role for role in SAYING if linked(term, role))
+    name = linked(term, role)
+    waiting = [t for t in others if t.negated and t.name not in telling.stated]
+    with_kind = role == "ako" and not _picked_out(telling, name)
+    later = telling.about(name, "hq", "loc", "own") if with_kind else []
+    telling.hold_back((*waiting, *later))
+    subject = _subject(telling, name, term.negated)
+    telling.release(later)
+    rest = _COMPLEMENTS[role](telling, term)
+    telling.release(waiting)
+    denied = "not " if term.negated and subject != "nothing" else ""
+    verb = be(subject)
+    return Clause(subject, verb, f"{verb} {adverb}{denied}{rest}", f"{adverb}{denied}{rest}")
+
+
+def _doing(telling: Telling, term: Term, adverb: str) -> Clause:
+    agent = linked(term, "agt")
+    subject = thing(telling, agent, "subject") if agent else "something"
+    done = deed(telling, term.name)
+    third = be(subject) == "is"
+    verb = "does" if third else "do"
+    if term.negated:
+        return Clause(subject, verb, f"{adverb}{verb} not {done}", f"{adverb}not {done}")
+    return Clause(subject, verb, adverb + (third_person(done) if third else done), adverb + done)
+
+
+def _picked_out(telling: Telling, name: str) -> bool:
+    """True where the qualities of a thing say which one is meant, so that they stay with it and off its kind."""
+    return bool(telling.term(name).ref or telling.about(name, "ako"))
+
+
+def _subject(telling: Telling, name: str, negated: bool) -> str:
+    bare = not described(telling, name) and not telling.term(name).ref
+    if negated and bare and name not in telling.mentioned:
+        telling.mention(name)
+        return "nothing"
+    return thing(telling, name, "subject")
+
+
+def naming(telling: Telling, term: Term) -> Clause:
+    """The thing is called so: the main node is no predicate but has a name."""
+    subject = thing(telling, term.name, "subject")
+    rest = ("not " if term.negated else "") + proper(word(term))
+    return Clause(subject, be(subject), f"{be(subject)} {rest}", rest)
+
+
+def _as_kind(telling: Telling, term: Term) -> str:
+    name = linked(term, "ako")
+    owners = [linked(own, "of") for own in telling.take(name, "own")]
+    whose = thing(telling, owners[0], "possessive") if owners else ""
+    before, _, after = description(telling, name, "")
+    phrase = " ".join(filter(None, (before, kind(telling, term), after)))
+    return f"{whose or article(phrase)} {phrase}"
+
+
+def _as_quality(telling: Telling, term: Term) -> str:
+    other = linked(term, "than")
+    if other:
+        return f"{comparative(word(term))} than {thing(telling, other)}"
+    return quality(telling, term)
+
+
+def _as_owned(telling: Telling, term: Term) -> str:
+    owner = thing(telling, linked(term, "of"), "possessive")
+    return _ABSOLUTE.get(owner, owner)
+
+
+_COMPLEMENTS: Final[dict[str, Callable[[Telling, Term], str]]] = {
+    "ako": _as_kind, "hq": _as_quality, "loc": place, "own": _as_owned,
+}  # fmt: skip
+
+
+def _telling_first(term: Term) -> tuple[bool, bool, bool]:
+    """What makes the better clause: a deed before a state, a state before a kind; denied ones last."""
+    roles = {role for role, _ in term.links}
+    return (not term.negated, term.kind == "act", "ako" not in roles)

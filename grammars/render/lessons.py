@@ -1,0 +1,182 @@
+"""Operators, rules and facts as the sentences that teach them."""
+
+from __future__ import annotations
+
+from typing import Final
+
+from grammars.hedges import BELIEF, PREFERENCE
+from grammars.render.clauses import conditions
+from grammars.render.deeds import deed
+from grammars.render.procedures import procedure, without
+from grammars.render.telling import Telling, Voice, linked, word
+from grammars.render.things import thing
+from kernel.memory.lesson import Operator, Rule
+from kernel.net.graphlet import Graphlet, Term
+
+_STRENGTHS: Final = {value: words for words, value in reversed(PREFERENCE.items())} | {1.0: ""}
+_HEDGES: Final = {value: words for words, value in reversed(BELIEF.items())} | {1.0: ""}
+
+
+def hedge(belief: float) -> str:
+    """The adverb for a belief; of an adapted one the nearest."""
+    return _HEDGES[min(_HEDGES, key=lambda known: abs(known - belief))]
+
+
+def operator(content: Operator, voice: Voice) -> str:
+    """The sentence that teaches an operator."""
+    graphlets = [d.graphlet for d in content.chain.directives() if d.graphlet]
+    trigger = content.trigger.graphlet
+    described = (*((trigger,) if trigger else ()), *graphlets)
+    telling = Telling(described, (*content.enablement, *content.unless), voice)
+    match content.trigger.tag:
+        case "DO":
+            return _procedure(telling, content, f"to {deed(telling, _main(content))}")
+        case "NOTE":
+            assert trigger is not None
+            lead = "if" if voice == "teacher" else "when"
+            said = f"{lead} {conditions(telling, trigger)}{_enabled(telling, content)}"
+            return f"{said}, {_advice(telling, content)}{_except(telling, content)}"
+        case "ANTE" if content.prohibits:
+            return _prohibition(telling, content)
+        case "ANTE" | "POST":
+            return _around(telling, content)
+        case "ALLOW":
+            may = deed(telling, _main(content))
+            return (
+                f"{_self(telling)} may {may}{_enabled(telling, content)}{_except(telling, content)}"
+            )
+        case "FIND":
+            return _procedure(telling, content, f"to find {thing(telling, _main(content))}")
+        case "CHK" | "ACH" as tag:
+            assert trigger is not None
+            wanted = "check whether" if tag == "CHK" else "make sure"
+            return _procedure(telling, content, f"to {wanted} {conditions(telling, trigger)}")
+    raise ValueError(f"no words for an operator on {content.trigger.tag}")
+
+
+def shortened(content: Operator, act: str) -> list[str]:
+    """What an operator is about in fewer words, longest first."""
+    verb = act.partition(" ")[0]
+    match content.trigger.tag:
+        case "DO":
+            return [f"I know how to {act}", f"I know how to {verb}"]
+        case "ANTE" if content.prohibits:
+            return [f"I will not {act}", f"I will not always {verb}"]
+        case "ALLOW":
+            return [f"I may {act}", f"sometimes I may {verb}"]
+        case "NOTE":
+            return ["I will watch for that"]
+    return []
+
+
+def rule(content: Rule, voice: Voice) -> str:
+    """The sentence that teaches a rule."""
+    condition, conclusion = content.condition, content.conclusion
+    if is_alias(content):
+        return f"{word(condition.terms[0])} means {word(conclusion.terms[0])}"
+    telling = Telling((condition,), (conclusion, *content.unless), voice)
+    said = f"if {conditions(telling, condition)}, "
+    said += conditions(telling, conclusion, hedge(content.belief))
+    return said + "".join(f" unless {conditions(telling, g)}" for g in content.unless)
+
+
+def is_alias(content: Rule) -> bool:
+    """True where condition and conclusion name the same node and say nothing else."""
+    sides = (content.condition, content.conclusion)
+    return sides[0].main == sides[1].main and all(
+        len(side.terms) == 1 and side.terms[0].lex and not side.terms[0].links for side in sides
+    )
+
+
+def fact(content: Graphlet, finds: tuple[Graphlet, ...], voice: Voice) -> str:
+    """The sentence that tells a fact about the things looked up."""
+    telling = Telling(finds, (content,), voice)
+    belief = next((term.belief for term in content if term.name == content.main), 1.0)
+    return conditions(telling, content, hedge(belief))
+
+
+def _main(content: Operator) -> str:
+    return content.trigger.graphlet.main if content.trigger.graphlet else ""
+
+
+def _self(telling: Telling) -> str:
+    return "I" if telling.voice == "robot" else "you"
+
+
+def _advice(telling: Telling, content: Operator) -> str:
+    """The chain behind "you could" or "I will"."""
+    said = procedure(telling, content.chain)
+    strength = _STRENGTHS[min(_STRENGTHS, key=lambda known: abs(known - content.preference))]
+    if telling.voice == "robot":
+        return f"I {strength or 'will'} {said}"
+    return f"you {strength} {said}" if strength else said
+
+
+def _procedure(telling: Telling, content: Operator, goal: str) -> str:
+    enabled = _enabled(telling, content)
+    return f"{goal}{enabled}, {_advice(telling, content)}{_except(telling, content)}"
+
+
+def _around(telling: Telling, content: Operator) -> str:
+    when = "before" if content.trigger.tag == "ANTE" else "after"
+    cause = _teller(telling, content)
+    act = (
+        f"{_self(telling)} {deed(telling, _main(content))}"
+        if cause is None
+        else _told(telling, cause)
+    )
+    enabled = _enabled(telling, content)
+    return f"{when} {act}{enabled}, {_advice(telling, content)}{_except(telling, content)}"
+
+
+def _teller(telling: Telling, content: Operator) -> Term | None:
+    """The speech act that the trigger's action came from, if the trigger asks for one."""
+    return next((t for t in telling.terms.values() if linked(t, "cmd") == _main(content)), None)
+
+
+def _told(telling: Telling, cause: Term) -> str:
+    """ "Rick tells you to do something"."""
+    speaker = thing(telling, linked(cause, "agt"), "subject")
+    hearer = thing(telling, linked(cause, "dest"))
+    verb = "asks" if word(cause) == "ask" else "tells"
+    return f"{speaker} {verb} {hearer} to {deed(telling, linked(cause, 'cmd'))}"
+
+
+def _prohibition(telling: Telling, content: Operator) -> str:
+    instead = without(content.chain, "PUNT")
+    robot = telling.voice == "robot"
+    cause = _teller(telling, content)
+    if cause is not None:
+        said = f"if {_told(telling, cause)}{_enabled(telling, content)}, {'I will not' if robot else 'do not'}"
+        said += _except(telling, content)
+    elif (only := _only_from(telling, content)) is not None:
+        return only
+    else:
+        never = deed(telling, _main(content))
+        said = f"{'I will never' if robot else 'never'} {never}{_enabled(telling, content)}"
+        said += _except(telling, content)
+    if not instead.plays:
+        return said
+    if robot:
+        return f"{said}, instead I will {procedure(telling, instead)}"
+    return f"{said} but instead {procedure(telling, instead)}"
+
+
+def _only_from(telling: Telling, content: Operator) -> str | None:
+    """ "Only Mary may tell you to drive backward", where the exception is who said it."""
+    for exception in content.unless:
+        for term in exception:
+            if linked(term, "cmd") == _main(content):
+                speaker = thing(telling, linked(term, "agt"), "subject")
+                hearer = thing(telling, linked(term, "dest"))
+                return f"only {speaker} may tell {hearer} to {deed(telling, _main(content))}"
+    return None
+
+
+def _enabled(telling: Telling, content: Operator) -> str:
+    said = " and ".join(conditions(telling, graphlet) for graphlet in content.enablement)
+    return f" if {said}" if said else ""
+
+
+def _except(telling: Telling, content: Operator) -> str:
+    return "".join(f" unless {conditions(telling, graphlet)}" for graphlet in content.unless)

@@ -1,0 +1,102 @@
+"""One telling: the net being told, whose voice tells it, and what has been mentioned so far."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass, field, replace
+from typing import Final, Literal
+
+from kernel.net.graphlet import Graphlet, Term
+
+Voice = Literal["teacher", "robot"]
+# Roles of a term that says something of the node it leads to.
+SAYING: Final = ("hq", "loc", "own", "ako")
+
+
+def is_predicate(term: Term) -> bool:
+    """True where the term can be told as a clause: it says something of a node, or somebody does it."""
+    return term.kind == "act" or any(role in SAYING for role, _ in term.links)
+
+
+def linked(term: Term, role: str) -> str:
+    """Name of the node that the term's role leads to, "" if it has no such role."""
+    return next((other for r, other in term.links if r == role), "")
+
+
+def word(term: Term) -> str:
+    """The lexical item to say; the first in the alphabet where there are several."""
+    return min(term.lex, default="")
+
+
+@dataclass
+class Telling:
+    """Mutable state of one rendering.
+
+    Attributes:
+        described: graphlets whose terms may go into noun phrases.
+        claims: graphlets that are told as clauses only ("if it is Rick"); their terms are kept out of noun phrases.
+        voice: who tells it.
+        mentioned: things already spoken of, oldest first: the candidates for "it".
+        stated: predicates already told, or kept back to be told as a clause.
+    """
+
+    described: tuple[Graphlet, ...]
+    claims: tuple[Graphlet, ...] = ()
+    voice: Voice = "teacher"
+    mentioned: list[str] = field(default_factory=list)
+    stated: set[str] = field(default_factory=set)
+    terms: dict[str, Term] = field(default_factory=dict)
+
+    def __post_init__(self) -> None:
+        known = {name for graphlet in self.described for name in graphlet.mentioned}
+        for graphlet in (*self.described, *self.claims):
+            for term in graphlet:
+                claimed = graphlet in self.claims and term.name in known
+                self._add(replace(term, lex=frozenset(), ref="") if claimed else term)
+        for graphlet in self.claims:
+            self.stated |= {term.name for term in graphlet if is_predicate(term)}
+
+    def _add(self, term: Term) -> None:
+        before = self.terms.get(term.name, Term(term.name))
+        self.terms[term.name] = Term(
+            term.name,
+            before.lex | term.lex,
+            term.literal if before.literal is None else before.literal,
+            before.ref or term.ref,
+            before.negated or term.negated,
+            min(before.belief, term.belief),
+            tuple(sorted({*before.links, *term.links})),
+        )
+
+    def term(self, name: str) -> Term:
+        """The term, or a bare one where the net only links to the name."""
+        return self.terms.get(name) or Term(name)
+
+    def about(self, name: str, *roles: str) -> list[Term]:
+        """Terms not stated yet that link to the name in one of the roles, in order of the roles."""
+        return [
+            term
+            for role in roles
+            for term in self.terms.values()
+            if (role, name) in term.links and term.name not in self.stated
+        ]
+
+    def take(self, name: str, *roles: str) -> list[Term]:
+        """As `about`, and they count as stated from now on."""
+        taken = self.about(name, *roles)
+        self.stated |= {term.name for term in taken}
+        return taken
+
+    def hold_back(self, terms: Iterable[Term]) -> None:
+        """Keep predicates out of noun phrases until they are released or told."""
+        self.stated |= {term.name for term in terms}
+
+    def release(self, terms: Iterable[Term]) -> None:
+        """Let predicates be told again."""
+        self.stated -= {term.name for term in terms}
+
+    def mention(self, name: str) -> None:
+        """Make it the newest thing spoken of."""
+        if name in self.mentioned:
+            self.mentioned.remove(name)
+        self.mentioned.append(name)

@@ -1,0 +1,156 @@
+"""Noun phrases: things by pronoun, name or description."""
+
+from __future__ import annotations
+
+from typing import Final, Literal
+
+from grammars.morphology import article, comparative, superlative
+from grammars.render.telling import Telling, linked, word
+from kernel.net.graphlet import Term
+
+Case = Literal["subject", "object", "possessive"]
+
+_CASES: Final[tuple[Case, ...]] = ("subject", "object", "possessive")
+_PRONOUNS: Final = {
+    "you": ("you", "you", "your"),
+    "me": ("I", "me", "my"),
+    "it": ("it", "it", "its"),
+    "he": ("he", "him", "his"),
+    "she": ("she", "her", "her"),
+    "they": ("they", "them", "their"),
+    "that": ("that", "that", "its"),
+    "this": ("this", "this", "its"),
+}
+_DETERMINERS: Final = ("the", "this", "that", "every", "any", "all", "each")
+_DEGREES: Final = {"little": "a little", "fully": "all the way"}
+
+
+def thing(telling: Telling, name: str, case: Case = "object") -> str:
+    """The noun phrase for a node: the second time it is spoken of, a pronoun where only one thing can be meant."""
+    term = telling.term(name)
+    if term.lex & {"you", "me"}:
+        return pronoun(telling, word(term), case)
+    phrase = _again(telling, term) if name in telling.mentioned else _first(telling, term)
+    telling.mention(name)
+    if phrase in _PRONOUNS:
+        return _PRONOUNS[phrase][_CASES.index(case)]
+    return possessive(phrase) if case == "possessive" else phrase
+
+
+def pronoun(telling: Telling, person: str, case: Case) -> str:
+    """You and me in the voice's own view."""
+    if telling.voice == "robot":
+        person = {"you": "me", "me": "you"}[person]
+    return _PRONOUNS[person][_CASES.index(case)]
+
+
+def possessive(phrase: str) -> str:
+    """Whose: Mary's; the girls'."""
+    return phrase + ("'" if phrase.endswith("s") and not phrase.istitle() else "'s")
+
+
+def proper(name: str) -> str:
+    """A name as it is written."""
+    return " ".join(part[:1].upper() + part[1:] for part in name.split(" "))
+
+
+def literally(text: str) -> str:
+    """Quoted speech between quotation marks."""
+    return '"' + text.replace('"', "'") + '"'
+
+
+def degree(telling: Telling, name: str) -> str:
+    """What modifies a quality, direction or manner: "very ", or nothing."""
+    return "".join(_DEGREES.get(word(d), word(d)) + " " for d in telling.take(name, "deg"))
+
+
+def quality(telling: Telling, term: Term) -> str:
+    """A quality in words: very close, biggest, not heavy."""
+    degrees = telling.take(term.name, "deg")
+    if any(word(d) == "most" for d in degrees):
+        return superlative(word(term))
+    if any(word(d) == "more" for d in degrees):
+        return comparative(word(term))
+    return "".join(_DEGREES.get(word(d), word(d)) + " " for d in degrees) + word(term)
+
+
+def kind(telling: Telling, term: Term) -> str:
+    """A kind with what it is compounded of: cereal box."""
+    return " ".join([*(word(sub) for sub in telling.take(term.name, "sub")), word(term)])
+
+
+def place(telling: Telling, term: Term) -> str:
+    """Where: next to the wall; on the left."""
+    landmark = linked(term, "wrt")
+    if landmark:
+        return f"{word(term)} {thing(telling, landmark)}"
+    return word(term) if " " in word(term) else f"on the {word(term)}"
+
+
+def described(telling: Telling, name: str) -> bool:
+    """True where a noun phrase would say more of it than "something"."""
+    return bool(telling.term(name).lex or telling.about(name, "ako", "hq", "loc", "own"))
+
+
+def description(telling: Telling, name: str, noun: str) -> tuple[str, str, str]:
+    """Words before the noun, the noun, and words after it; consumes what is told.
+
+    Args:
+        telling: the state.
+        name: the thing.
+        noun: what to say where no kind is given.
+    """
+    kinds = [t for t in telling.about(name, "ako") if not t.negated]
+    telling.hold_back(kinds)
+    plain, after = [], []
+    for term in telling.take(name, "hq"):
+        other = linked(term, "than")
+        if term.negated:
+            after.append(f"that is not {quality(telling, term)}")
+        elif other:
+            after.append(f"that is {comparative(word(term))} than {thing(telling, other)}")
+        else:
+            plain.append(quality(telling, term))
+    after += [place(telling, term) for term in telling.take(name, "loc")]
+    for term in telling.take(name, "ako"):
+        after.append(f"that is not {with_kind(telling, term)}")
+    nouns = [kind(telling, term) for term in kinds] or [noun]
+    return " ".join(plain), nouns[0], " ".join([*(f"that is a {n}" for n in nouns[1:]), *after])
+
+
+def with_kind(telling: Telling, term: Term) -> str:
+    """A kind behind its article."""
+    noun = kind(telling, term)
+    return f"{article(noun)} {noun}"
+
+
+def _first(telling: Telling, term: Term) -> str:
+    name, ref = term.name, term.ref
+    if term.lex:
+        return proper(word(term))
+    if ref in _PRONOUNS and not described(telling, name):
+        return ref
+    owners = [linked(own, "of") for own in telling.take(name, "own")]
+    whose = thing(telling, owners[0], "possessive") if owners else ""
+    bare = "" if not ref and not owners else "one" if ref == "one" else "thing"
+    before, noun, after = description(telling, name, bare)
+    if not noun:
+        return " ".join(filter(None, ("something", before, after)))
+    phrase = " ".join(filter(None, (before, noun, after)))
+    if whose:
+        return f"{whose} {phrase}"
+    if ref == "one":
+        return f"the {phrase}"
+    return f"{ref if ref in _DETERMINERS else article(phrase)} {phrase}"
+
+
+def _again(telling: Telling, term: Term) -> str:
+    if term.lex:
+        return proper(word(term))
+    if len(telling.mentioned) == 1:
+        return "it"
+    kinds = [t for t in telling.terms.values() if ("ako", term.name) in t.links and not t.negated]
+    if not kinds:
+        return "it"
+    subs = [word(t) for t in telling.terms.values() if ("sub", kinds[0].name) in t.links]
+    return " ".join(["the", *subs, word(kinds[0])])

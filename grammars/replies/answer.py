@@ -1,0 +1,95 @@
+"""Answers: yes, no, unknown, or what was found."""
+
+from __future__ import annotations
+
+from grammars.render import act_in_words, render, thing_in_words
+from grammars.render.questions import claim, question
+from grammars.render.telling import Telling, is_predicate
+from grammars.replies import Said, both, renders
+from kernel.memory.meaning import Question
+from kernel.memory.reply import Answer
+from kernel.net.graphlet import Graphlet
+
+
+@renders(Answer)
+def answer(reply: Answer) -> Said:
+    """ "Yes, Mary is a person." """
+    asked = reply.question
+    match reply.verdict:
+        case "unknown":
+            return both(_unknown(asked))
+        case "found":
+            return both(_found(asked, reply.found))
+        case verdict:
+            return both(f"{verdict}, {_claimed(asked, verdict == 'yes')}")
+
+
+def _claimed(asked: Question, holds: bool) -> str:
+    """What a yes/no question asks, affirmed or denied."""
+    main = asked.about.main
+    match asked.topic:
+        case "know_how":
+            return f"I {'' if holds else 'do not '}know how to {act_in_words(asked.about)}"
+        case "did":
+            done = act_in_words(asked.about, (), "past" if holds else "base")
+            return f"I {'' if holds else 'did not '}{done}"
+    said = claim(Telling((asked.about,), (), "robot"), asked.about)
+    negated = asked.about.term(main).negated if main in asked.about.names else False
+    if holds or negated:
+        return str(said)
+    return f"{said.subject} {said.verb} not {said.asked}"
+
+
+def _unknown(asked: Question) -> str:
+    if asked.topic == "identity":
+        return "I don't know who you are"
+    if asked.topic == "taught":
+        return f"nobody taught me to {act_in_words(asked.about)}"
+    if asked.topic == "know_how":
+        return f"I don't know how to {act_in_words(asked.about)}"
+    if asked.topic == "know_about":
+        return f"I know nothing about {thing_in_words(asked.about.main, (asked.about,))}"
+    if asked.topic in ("doing", "did", "learned"):
+        return {"doing": "I am doing nothing", "did": "I did nothing"}.get(
+            asked.topic, "nobody taught me anything"
+        )
+    telling = Telling((asked.about,), (), "robot")
+    if asked.ask == "yesno":
+        return f"I don't know whether {claim(telling, asked.about)}"
+    if asked.ask in ("where", "who") and not is_predicate(telling.term(asked.about.main)):
+        who = thing_in_words(asked.wanted or asked.about.main, (asked.about,))
+        return f"I don't know {asked.ask} {who} {'am' if who == 'me' else 'is'}"
+    return f"I don't know {question(asked, 'robot')}" if asked.ask != "why" else "I don't know why"
+
+
+def _found(asked: Question, found: tuple[Graphlet, ...]) -> str:
+    told = [_told(asked, graphlet) for graphlet in found]
+    if not told:
+        return {
+            "doing": "I am doing nothing",
+            "did": "I did nothing",
+            "learned": "nobody taught me anything today",
+        }.get(asked.topic, "nothing that I know of")
+    listed = " and ".join(filter(None, (", ".join(told[:-1]), told[-1])))
+    match asked.topic:
+        case "identity":
+            return f"you are {listed}"
+        case "doing":
+            return f"I am {listed}"
+        case "did":
+            return f"I {listed}"
+        case "taught":
+            return f"{listed} taught me to {act_in_words(asked.about)}"
+    return f"because {listed}" if asked.ask == "why" else listed
+
+
+def _told(asked: Question, graphlet: Graphlet) -> str:
+    telling = Telling((graphlet,), (), "robot")
+    main = telling.term(graphlet.main)
+    if asked.topic in ("doing", "did"):
+        return act_in_words(graphlet, (), "gerund" if asked.topic == "doing" else "past")
+    if is_predicate(main):
+        return render(graphlet, "robot")
+    if main.literal is not None:
+        return main.literal
+    return thing_in_words(graphlet.main, (graphlet,))

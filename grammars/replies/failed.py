@@ -1,0 +1,97 @@
+"""An act came to nothing: why, in one sentence."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Final
+
+from grammars.render import act_in_words, thing_in_words
+from grammars.replies import Said, both, renders
+from kernel.memory.reply import Failed, Reason
+from kernel.net.graphlet import Term
+
+
+@renders(Failed)
+def failed(reply: Failed) -> Said:
+    """ "I don't know how to salute." """
+    return both(_SENTENCES[reply.reason](reply))
+
+
+def _act(reply: Failed, form: str = "base") -> str:
+    if reply.act is None or not _is_act(reply):
+        return "doing that" if form == "gerund" else "do that"
+    return act_in_words(reply.act, reply.about, "gerund" if form == "gerund" else "base")
+
+
+def _is_act(reply: Failed) -> bool:
+    return reply.act is not None and reply.act.main.startswith("act")
+
+
+def _verb(reply: Failed) -> str:
+    """The bare verb."""
+    if reply.act is None or not _is_act(reply):
+        return "do"
+    main = [term for term in reply.act if term.name == reply.act.main]
+    return min((word for term in main for word in term.lex), default="do")
+
+
+def _not_grounded(reply: Failed) -> str:
+    word, verb = reply.detail, _verb(reply)
+    if word in ("", verb):
+        return f"I don't know how to {_act(reply)}"
+    if word in _MISSING:
+        return _MISSING[word].format(verb=verb)
+    terms: list[Term] = [t for g in (reply.act, *reply.about) for t in g or ()]
+    roles = {role for term in terms if word in term.lex for role, _ in term.links}
+    kind = next((said for role, said in _WORD_KINDS.items() if role in roles), "word")
+    return f"I don't know the {kind} {word}"
+
+
+def _nothing_found(reply: Failed) -> str:
+    wanted = _wanted(reply)
+    return f"I don't know where {wanted} is" if wanted else "I can't find that"
+
+
+def _wanted(reply: Failed) -> str:
+    """The thing that was looked for: what the act goes to or takes, or the thing itself."""
+    if reply.act is None:
+        return reply.detail
+    name = reply.act.main
+    if _is_act(reply):
+        links = dict(link for term in reply.act if term.name == name for link in term.links)
+        name = links.get("dest") or links.get("obj", "")
+    return thing_in_words(name, (reply.act, *reply.about)) if name else reply.detail
+
+
+def _conflict(reply: Failed) -> str:
+    return f"I can't do two things with my {reply.detail or 'body'} at the same time"
+
+
+# What a command left out, by the name that the grounding functions give it.
+_MISSING: Final = {
+    "direction": "you did not say which way to {verb}",
+    "text": "you did not say what to {verb}",
+    "object": "you did not say what to {verb}",
+    "amount": "you did not say how much to {verb}",
+}
+_WORD_KINDS: Final = {"dir": "direction", "amt": "unit", "mod": "word", "loc": "place"}
+
+_SENTENCES: Final[dict[Reason, Callable[[Failed], str]]] = {
+    "no_way": lambda r: f"I don't know how to {_act(r)}",
+    "not_grounded": _not_grounded,
+    "prohibited": lambda r: f"I may not {_act(r)}",
+    "nothing_found": _nothing_found,
+    "no_sense": lambda r: "I have no way to see that",
+    "nothing_gripped": lambda r: "I have nothing in my gripper",
+    "too_much": lambda r: f"I can't {_verb(r)} more than {r.detail or 'that'} at once",
+    "link_lost": lambda r: "I have lost the robot",
+    "stuck": lambda r: "I am stuck",
+    "stopped": lambda r: f"I stopped {_act(r, 'gerund')}",
+    "resource_lost": lambda r: f"I gave up {_act(r, 'gerund')} as something else kept me busy",
+    "recursion": lambda r: f"I can't {_act(r)} as that would never end",
+    "too_deep": lambda r: f"I can't {_act(r)} as that has too many steps within steps",
+    "conflict": _conflict,
+    "no_room": lambda r: "I have too much on my mind, please say that again later",
+    "not_stored": lambda r: f"I could not keep that{': ' + r.detail if r.detail else ''}",
+    "crashed": lambda r: f"something in me broke while {_act(r, 'gerund')}",
+}

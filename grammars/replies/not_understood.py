@@ -1,0 +1,29 @@
+"""A sentence without a reading: the unknown word, or what would have worked."""
+
+from __future__ import annotations
+
+from grammars.errors import NotUnderstoodError
+from grammars.replies import Said, aloud, renders, sentence
+
+_LONGEST_LIST = 3
+
+
+@renders(NotUnderstoodError)
+def not_understood(error: NotUnderstoodError) -> Said:
+    """ "I don't know the word zork." """
+    unknown = error.unknown_words
+    if 0 < len(unknown) <= _LONGEST_LIST:
+        said = f"I don't know the word{'s' if len(unknown) > 1 else ''} {_listed(unknown)}"
+    else:
+        said = "I did not understand"
+    shown = sentence(said)
+    if error.understood:
+        shown += f' I understood as far as "{error.understood}".'
+    if error.nearest:
+        shown += f' Did you mean "{error.nearest}"?'
+        return Said(shown, f"{aloud(said)} Did you mean: {error.nearest}?")
+    return Said(shown, aloud(said))
+
+
+def _listed(words: tuple[str, ...]) -> str:
+    return " and ".join(filter(None, (", ".join(words[:-1]), words[-1])))

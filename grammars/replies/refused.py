@@ -1,0 +1,19 @@
+"""An act was vetoed by a lesson: which one, whose, and what it rests on."""
+
+from __future__ import annotations
+
+from grammars.render import act_in_words, render
+from grammars.render.things import proper
+from grammars.replies import Said, aloud, renders, sentence
+from kernel.memory.reply import Refused
+
+
+@renders(Refused)
+def refused(reply: Refused) -> Said:
+    """ "I may not grab Mary: Freddy told me "never grab a person"." """
+    lesson = reply.by
+    words = lesson.words.strip().rstrip(".!") or render(lesson.content, "teacher")
+    who = f"{proper(lesson.teacher)} told me" if lesson.teacher else "I was told"
+    said = f'I may not {act_in_words(reply.act)}: {who} "{words}"'
+    reasons = " and ".join(render(graphlet, "robot") for graphlet in reply.because)
+    return Said(sentence(f"{said}, and {reasons}" if reasons else said), aloud(said))
