@@ -13,6 +13,7 @@ from typing import Annotated, Any, Final, Literal, get_args, get_origin, get_typ
 
 import msgspec
 import platformdirs
+from msgspec.structs import replace
 
 EXIT_CONFIG: Final = 78  # EX_CONFIG: systemd does not restart on it
 
@@ -104,6 +105,19 @@ def load(path: Path | None) -> Config:
     for key, why in _mistakes(raw, Config):
         raise ConfigError(path, key, why)
     return msgspec.convert(raw, Config)
+
+
+def override(
+    config: Config, *, robot: str | None, hearing: str | None, scene: str | None
+) -> Config:
+    """The configuration with what the command line says instead."""
+    if robot is not None:
+        config = replace(config, robot=replace(config.robot, uri=robot))
+    if scene is not None:
+        config = replace(config, robot=replace(config.robot, scene=scene))
+    if hearing is not None:
+        config = replace(config, hearing=replace(config.hearing, source=hearing))
+    return config
 
 
 def default_path() -> Path:

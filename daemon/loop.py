@@ -7,22 +7,21 @@ waits. The heartbeat leaves from here and nowhere else, so a hung daemon loses i
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
 from typing import TYPE_CHECKING, Final, Protocol
 
 from daemon import events
 from daemon.speaking.queue import SpeechQueue
 from daemon.speaking.voice import Voice
 from daemon.telling import from_record, from_reply, pose
-from grammars.errors import NotUnderstoodError
-from grammars.parse import parse
+from daemon.understanding import Understanding, halts, is_stop, understand
+from daemon.writer import Keeper, Kept, NotKept
 from grammars.render import render
 from grammars.replies import say
-from grammars.vocabulary import Vocabulary, from_policy
+from grammars.vocabulary import from_policy
 from kernel.action.call import BodyState
 from kernel.memory.exchange import Inputs, Outputs
 from kernel.memory.lesson import Lesson
-from kernel.memory.meaning import Command, Control, Feedback, Heard, Meaning, Revision, Utterance
+from kernel.memory.meaning import Command, Heard, Revision, Utterance
 
 if TYPE_CHECKING:
     from firmware_proto.messages import Message
@@ -31,8 +30,6 @@ if TYPE_CHECKING:
 
 POSE_EVERY_S: Final = 0.1  # poses told while something moves; fine enough to draw a track
 SOURCES_KEPT: Final = 32  # utterances whose origin is remembered for the lessons they become
-STOP_WORDS: Final = frozenset({"stop", "halt", "freeze"})
-BESIDE_STOP: Final = frozenset({"robot", "sayso", "please", "now", "hey"})
 
 
 class Wire(Protocol):
@@ -57,75 +54,6 @@ class Wire(Protocol):
 
     def beat(self) -> None:
         """Renew the lease when due."""
-
-
-@dataclass(frozen=True, slots=True)
-class Kept:
-    """A lesson is durable under this number."""
-
-    key: int
-    ident: int
-
-
-@dataclass(frozen=True, slots=True)
-class NotKept:
-    """A lesson could not be stored. why: for a person."""
-
-    key: int
-    why: str
-
-
-class Keeper(Protocol):
-    """Where lessons are made durable, at once or in a thread of its own."""
-
-    def keep(self, key: int, lesson: Lesson, source: str = "") -> None:
-        """Begin to store it. source: where its words came from."""
-
-    def results(self) -> list[Kept | NotKept]:
-        """What was decided since the last call."""
-
-
-def is_stop(text: str) -> bool:
-    """Nothing but a stop word, the robot's name and manners.
-
-    >>> is_stop("Stop, robot!"), is_stop("to stop say hi")
-    (True, False)
-    """
-    words = "".join(c if c.isalpha() else " " for c in text.lower()).split()
-    rest = [word for word in words if word not in BESIDE_STOP]
-    return bool(rest) and all(word in STOP_WORDS for word in rest)
-
-
-@dataclass(frozen=True, slots=True)
-class Understanding:
-    """What parsing made of an utterance: either heard, or the error that says what was understood."""
-
-    utterance: Utterance
-    kind: str
-    readback: str
-    heard: Heard | None
-    error: NotUnderstoodError | None = None
-
-
-def understand(utterance: Utterance, vocabulary: Vocabulary) -> Understanding:
-    """Parse the text, else the first alternative that parses. Pure, so it may run in another thread."""
-    first: NotUnderstoodError | None = None
-    for text in (utterance.text, *utterance.alternatives):
-        try:
-            parsed = parse(text, vocabulary)
-        except NotUnderstoodError as error:
-            first = first or error
-            continue
-        readback = render(parsed.meaning, "teacher")
-        return Understanding(utterance, parsed.kind, readback, Heard(utterance, parsed.meaning))
-    return Understanding(utterance, "not_understood", "", None, first)
-
-
-def halts(meaning: Meaning) -> bool:
-    """Everything is to stop: such a meaning does not wait for the mind."""
-    if isinstance(meaning, Feedback):
-        return meaning.stop
-    return isinstance(meaning, Control) and meaning.act == "stop" and meaning.about is None
 
 
 class Cycle:

@@ -6,11 +6,38 @@ import sqlite3
 import threading
 from collections import deque
 from collections.abc import Callable
+from dataclasses import dataclass
 from queue import SimpleQueue
+from typing import Protocol
 
-from daemon.loop import Kept, NotKept
 from daemon.store import Store
 from kernel.memory.lesson import Lesson
+
+
+@dataclass(frozen=True, slots=True)
+class Kept:
+    """A lesson is durable under this number."""
+
+    key: int
+    ident: int
+
+
+@dataclass(frozen=True, slots=True)
+class NotKept:
+    """A lesson could not be stored. why: for a person."""
+
+    key: int
+    why: str
+
+
+class Keeper(Protocol):
+    """Where lessons are made durable, at once or in a thread of its own."""
+
+    def keep(self, key: int, lesson: Lesson, source: str = "") -> None:
+        """Begin to store it. source: where its words came from."""
+
+    def results(self) -> list[Kept | NotKept]:
+        """What was decided since the last call."""
 
 
 def _kept(store: Store, key: int, lesson: Lesson, source: str) -> Kept | NotKept:

@@ -1,0 +1,251 @@
+"""The daemon: one TaskGroup in which link, hearing, control socket and the control loop run side by side.
+
+The loop makes a step `tick_hz` times a second, and at once when something arrives. Nothing in it waits: sentences are
+parsed and lessons stored in threads of their own.
+"""
+
+from __future__ import annotations
+
+import asyncio
+import logging
+import signal
+import socket
+from collections.abc import Callable
+from concurrent.futures import ThreadPoolExecutor
+from contextlib import suppress
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Final
+
+from daemon import config as configuration
+from daemon import events
+from daemon.clock import Clock
+from daemon.config import Config
+from daemon.control.messages import OutcomeWord
+from daemon.control.server import ControlServer
+from daemon.loop import Cycle
+from daemon.notify import Notifier
+from daemon.outcome import Following
+from daemon.parts import Parts, assemble
+from daemon.store import Store
+from daemon.supervise import supervise
+from daemon.understanding import understand
+from daemon.writer import Writer
+from kernel.memory.meaning import Utterance
+
+SETTLE_S: Final = 60.0  # how long a client is kept waiting for an utterance to come to an end
+GRACE_S: Final = 0.2  # for the STOP to leave on the way out
+
+log = logging.getLogger("sayso")
+
+
+@dataclass(frozen=True, slots=True)
+class _Waiting:
+    """An utterance on its way to the parser."""
+
+    utterance: Utterance
+    source: str
+    epoch: int
+    taken: asyncio.Future[None]
+
+
+class App:
+    """The running daemon, and what it does for clients of the control socket.
+
+    Args:
+        config: what to run.
+        store: open; closed by `run`.
+        announce: called once with a line for a person when it is ready.
+    """
+
+    def __init__(self, config: Config, store: Store, announce: Callable[[str], None]) -> None:
+        self._config, self._announce = config, announce
+        self._clock = Clock()
+        self._loop = asyncio.get_running_loop()
+        self._awake = asyncio.Event()
+        self._closing = asyncio.Event()
+        self._utterances: asyncio.Queue[_Waiting] = asyncio.Queue()
+        self._parser = ThreadPoolExecutor(1, thread_name_prefix="parse")
+        self._watchers: list[Callable[[events.Event], None]] = [self._log]
+        self._settling: list[asyncio.Future[None]] = []
+        self._notifier = Notifier()
+        self._store = store
+        self._writer = Writer(store, self._wake_from_thread, self._store_failed)
+        self._parts: Parts = assemble(config, store, self._writer, self._emit)
+        self._cycle: Cycle = self._parts.cycle
+        self._link_up = False
+
+    async def run(self) -> int:
+        """Serve until SIGTERM or SIGINT; the exit status."""
+        server = ControlServer(configuration.socket_path(self._config), self)
+        bound = server.bind()
+        for number in (signal.SIGTERM, signal.SIGINT):
+            self._loop.add_signal_handler(number, self._closing.set)
+        try:
+            async with asyncio.TaskGroup() as group:
+                tasks = [
+                    group.create_task(part, name=name)
+                    for name, part in {
+                        "link": supervise("link", self._parts.link.serve, self._failed),
+                        "control": self._control(server, bound),
+                        "understanding": self._understand(),
+                        "loop": self._turn(),
+                    }.items()
+                ]
+                self._ready()
+                await self._closing.wait()
+                self._notifier.stopping()
+                self._cycle.stop("closing")
+                await asyncio.sleep(GRACE_S if self._cycle.state.moving else 0.02)
+                for task in tasks:
+                    task.cancel()
+        finally:
+            self._parser.shutdown(wait=False, cancel_futures=True)
+            self._writer.close()
+            self._store.close()
+        return 0
+
+    # What clients may ask for (daemon.control.server.Desk).
+
+    def subscribe(self, see: Callable[[events.Event], None]) -> Callable[[], None]:
+        """Be told of every event; call the result to end it."""
+        self._watchers.append(see)
+        return lambda: self._watchers.remove(see)
+
+    async def say(self, text: str, speaker: str, source: str) -> OutcomeWord:
+        """Take a typed utterance and wait for what it comes to."""
+        return await self._follow(Utterance(text, speaker, self._clock.wall_s()), source)
+
+    async def hear(self, path: Path, speaker: str, source: str) -> OutcomeWord:
+        """Take what a WAV file says and wait for what it comes to."""
+        raise NotImplementedError
+
+    def stop(self, source: str) -> int:
+        """STOP, at once; the new epoch."""
+        epoch = self._cycle.stop(source)
+        self._awake.set()
+        return epoch
+
+    def status(self) -> dict[str, object]:
+        """State of hearing, mind and link."""
+        lessons = [lesson for lesson in self._cycle.mind.policy if lesson.ident > 0]
+        return {
+            "uptime_s": round(self._clock.now_s(), 1),
+            "robot": self._config.robot.uri,
+            "link": "up" if self._link_up else "down",
+            "hearing": self._config.hearing.source,
+            "lessons": len(lessons),
+            "resting": len(self._parts.resting),
+            "speaker": self._cycle.mind.speaker,
+            "busy": not self._cycle.settled,
+            "stop_epoch": self._parts.link.stop_epoch,
+            "pose": events.as_dict(self._cycle.pose),
+        }
+
+    # The parts.
+
+    async def _turn(self) -> None:
+        """The control loop."""
+        period_s = 1 / self._config.mind.tick_hz
+        while True:
+            self._awake.clear()
+            now_s = self._clock.now_s()
+            self._cycle.step(now_s)
+            if self._cycle.failures == 0:
+                self._notifier.advanced(now_s)
+            if self._settling and self._cycle.settled:
+                settling, self._settling = self._settling, []
+                for future in settling:
+                    future.set_result(None)
+            with suppress(TimeoutError):
+                async with asyncio.timeout(now_s + period_s - self._clock.now_s()):
+                    await self._awake.wait()
+
+    async def _understand(self) -> None:
+        """Parse one utterance after another beside the loop."""
+        while True:
+            waiting = await self._utterances.get()
+            try:
+                understanding = await self._loop.run_in_executor(
+                    self._parser, understand, waiting.utterance, self._cycle.vocabulary
+                )
+                self._cycle.take(understanding, waiting.epoch, waiting.source)
+                self._writer.log(
+                    waiting.utterance.at_s,
+                    waiting.utterance.text,
+                    waiting.utterance.speaker,
+                    waiting.source,
+                    understanding.kind,
+                )
+            except Exception as error:  # one sentence that breaks the parser must not end hearing
+                self._failed("understanding", f"{type(error).__name__}: {error}")
+            if not waiting.taken.done():
+                waiting.taken.set_result(None)
+            self._awake.set()
+
+    async def _control(self, server: ControlServer, bound: socket.socket) -> None:
+        await supervise("control", lambda: server.serve(bound), self._failed)
+
+    async def _follow(self, utterance: Utterance, source: str) -> OutcomeWord:
+        following = Following(utterance.text)
+        unsubscribe = self.subscribe(following.see)
+        try:
+            await self._submit(utterance, source)
+            settled: asyncio.Future[None] = self._loop.create_future()
+            self._settling.append(settled)
+            async with asyncio.timeout(SETTLE_S):
+                await settled
+        except TimeoutError:
+            return "running"
+        finally:
+            unsubscribe()
+        return following.outcome
+
+    def _submit(self, utterance: Utterance, source: str) -> asyncio.Future[None]:
+        """Into the parser's queue; a stop word acts now. The result is there once the meaning is on its way."""
+        epoch = self._cycle.begin(utterance, source)
+        taken: asyncio.Future[None] = self._loop.create_future()
+        self._utterances.put_nowait(_Waiting(utterance, source, epoch, taken))
+        self._awake.set()
+        return taken
+
+    def _ready(self) -> None:
+        seconds = self._clock.now_s()
+        known = f"{len(self._parts.lessons)} lessons"
+        resting = f", {len(self._parts.resting)} lessons rest" if self._parts.resting else ""
+        for lesson in self._parts.resting:
+            log.warning("lesson %d rests: %s: %s", lesson.ident, lesson.words, lesson.why)
+        line = f"ready after {seconds:.2f} s: {self._config.robot.uri}, {known}{resting}"
+        self._announce(line)
+        self._notifier.ready(line)
+
+    def _emit(self, event: events.Event) -> None:
+        for see in tuple(self._watchers):
+            see(event)
+
+    def _log(self, event: events.Event) -> None:
+        match event:
+            case events.Pose():
+                return
+            case events.Link(up=up):
+                self._link_up = up
+                level = logging.INFO if up else logging.WARNING
+            case events.Error():
+                level = logging.ERROR
+            case events.Noted():
+                level = logging.DEBUG
+            case _:
+                level = logging.INFO
+        if log.isEnabledFor(level):
+            fields = {k: v for k, v in events.as_dict(event).items() if k not in ("t", "event")}
+            log.log(level, "%s %s", events.name(event), fields)
+
+    def _failed(self, part: str, reason: str) -> None:
+        self._emit(events.Error(t=self._clock.now_s(), part=part, text=reason))
+
+    def _store_failed(self, reason: str) -> None:
+        self._loop.call_soon_threadsafe(self._failed, "store", reason)
+
+    def _wake_from_thread(self) -> None:
+        with suppress(RuntimeError):  # the loop is closed: nobody is left to wake
+            self._loop.call_soon_threadsafe(self._awake.set)

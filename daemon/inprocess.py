@@ -1,0 +1,91 @@
+"""A daemon for one utterance: where none runs, `sayso say` and `sayso hear` do it here, on the simulated robot.
+
+Virtual time: nothing is waited for. Lessons go to the same store as the daemon's.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from types import TracebackType
+from typing import Final, Self
+
+from daemon import events
+from daemon.clock import Clock
+from daemon.config import Config, store_path
+from daemon.control.messages import OutcomeWord
+from daemon.outcome import Following
+from daemon.parts import assemble_virtual
+from daemon.store import Store
+from kernel.memory.meaning import Utterance
+
+STEP_S: Final = 1 / 30
+CONNECT_S: Final = 3.0
+SETTLE_S: Final = 60.0
+
+
+class Here:
+    """A cycle in virtual time on the user's store.
+
+    Args:
+        config: scene, seed and paths are taken from it; the robot is the simulated one.
+        emit: told of every event.
+
+    Raises:
+        StoreError: the store cannot be used.
+    """
+
+    def __init__(self, config: Config, emit: Callable[[events.Event], None]) -> None:
+        self._watch: Callable[[events.Event], None] = emit
+        self._store = Store.open(store_path(config))
+        try:
+            self._parts = assemble_virtual(config, self._store, self._emit)
+        except BaseException:
+            self._store.close()
+            raise
+        self._now_s = 0.0
+        self._following: Following | None = None
+        self._run(lambda: self._parts.link.connected, CONNECT_S)
+
+    def say(self, text: str, speaker: str = "", *, at_s: float | None = None) -> OutcomeWord:
+        """Take an utterance and let time pass until nothing is going on."""
+        at_s = Clock.wall_s() if at_s is None else at_s
+        return self.take(Utterance(text, speaker, at_s), "typed")
+
+    def take(self, utterance: Utterance, source: str) -> OutcomeWord:
+        """The same for an utterance from elsewhere."""
+        self._following = Following(utterance.text)
+        understanding = self._parts.cycle.hear(utterance, source)
+        self._store.log(
+            utterance.at_s, utterance.text, utterance.speaker, source, understanding.kind
+        )
+        self._run(lambda: self._parts.cycle.idle, SETTLE_S)
+        return self._following.outcome if self._parts.cycle.settled else "running"
+
+    def close(self) -> None:
+        """Stop and close."""
+        self._store.close()
+
+    def _run(self, until: Callable[[], bool], at_most_s: float) -> None:
+        end_s = self._now_s + at_most_s
+        while True:
+            self._now_s += STEP_S
+            self._parts.link.advance(STEP_S)
+            self._parts.cycle.step(self._now_s)
+            if until() or self._now_s >= end_s:
+                return
+
+    def _emit(self, event: events.Event) -> None:
+        if self._following is not None:
+            self._following.see(event)
+            self._watch(event)
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(
+        self,
+        kind: type[BaseException] | None,
+        error: BaseException | None,
+        trace: TracebackType | None,
+    ) -> None:
+        self.close()

@@ -1,0 +1,58 @@
+"""From an utterance to its meaning; and the words that stop the robot before anything is understood."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Final
+
+from grammars.errors import NotUnderstoodError
+from grammars.parse import parse
+from grammars.render import render
+from grammars.vocabulary import Vocabulary
+from kernel.memory.meaning import Control, Feedback, Heard, Meaning, Utterance
+
+STOP_WORDS: Final = frozenset({"stop", "halt", "freeze"})
+BESIDE_STOP: Final = frozenset({"robot", "sayso", "please", "now", "hey"})
+
+
+def is_stop(text: str) -> bool:
+    """Nothing but a stop word, the robot's name and manners.
+
+    >>> is_stop("Stop, robot!"), is_stop("to stop say hi")
+    (True, False)
+    """
+    words = "".join(c if c.isalpha() else " " for c in text.lower()).split()
+    rest = [word for word in words if word not in BESIDE_STOP]
+    return bool(rest) and all(word in STOP_WORDS for word in rest)
+
+
+@dataclass(frozen=True, slots=True)
+class Understanding:
+    """What parsing made of an utterance: either heard, or the error that says what was understood."""
+
+    utterance: Utterance
+    kind: str
+    readback: str
+    heard: Heard | None
+    error: NotUnderstoodError | None = None
+
+
+def understand(utterance: Utterance, vocabulary: Vocabulary) -> Understanding:
+    """Parse the text, else the first alternative that parses. Pure, so it may run in another thread."""
+    first: NotUnderstoodError | None = None
+    for text in (utterance.text, *utterance.alternatives):
+        try:
+            parsed = parse(text, vocabulary)
+        except NotUnderstoodError as error:
+            first = first or error
+            continue
+        readback = render(parsed.meaning, "teacher")
+        return Understanding(utterance, parsed.kind, readback, Heard(utterance, parsed.meaning))
+    return Understanding(utterance, "not_understood", "", None, first)
+
+
+def halts(meaning: Meaning) -> bool:
+    """Everything is to stop: such a meaning does not wait for the mind."""
+    if isinstance(meaning, Feedback):
+        return meaning.stop
+    return isinstance(meaning, Control) and meaning.act == "stop" and meaning.about is None
