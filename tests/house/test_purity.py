@@ -109,7 +109,9 @@ def impurities(tree: ast.AST, *, package_data: bool) -> Iterator[str]:
 
 def test_below_daemon_no_files_no_clock_no_chance() -> None:
     found = {
-        name(path): list(impurities(parsed(path), package_data=path.is_relative_to(ROOT / "grammars")))
+        name(path): list(
+            impurities(parsed(path), package_data=path.is_relative_to(ROOT / "grammars"))
+        )
         for path in sources(PURE)
     }
     assert {path: what for path, what in found.items() if what} == {}
@@ -152,7 +154,9 @@ def test_no_bare_except() -> None:
 
 
 def test_modules_are_short() -> None:
-    lengths = {name(path): len(path.read_text(encoding="utf-8").splitlines()) for path in sources(FLOORS)}
+    lengths = {
+        name(path): len(path.read_text(encoding="utf-8").splitlines()) for path in sources(FLOORS)
+    }
     assert {path: lines for path, lines in lengths.items() if lines > LONGEST_MODULE} == {}
 
 
