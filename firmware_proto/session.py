@@ -1,0 +1,364 @@
+"""The host's end of a session: numbers, acknowledgement, resending, heartbeats, stop. No port and no clock.
+
+One Session is one connection attempt. It opens with HELLO, is ready once the far end has answered with the same
+protocol and definition, and ends as lost or refused; trying again is somebody else's job. The caller feeds received
+bytes to receive() and writes what poll() returns.
+
+Stop and wait with a window of one: the next command leaves when the last has been answered. stop() goes past all
+of that. Whatever became of a command handed to send() is told once, as Settled, among the received messages.
+"""
+
+from __future__ import annotations
+
+import dataclasses
+from collections import deque
+from dataclasses import dataclass
+from enum import Enum
+
+from firmware_proto.errors import (
+    DefinitionMismatchError,
+    HandshakeError,
+    PayloadError,
+    ProtocolMismatchError,
+    UnknownMessageError,
+)
+from firmware_proto.frame import Frame, FrameReader, encode_message
+from firmware_proto.messages import (
+    DEFINITION_HASH,
+    MAX_LEASE_MS,
+    MOTION,
+    PROTOCOL_VERSION,
+    Ack,
+    Estop,
+    Event,
+    Heartbeat,
+    Hello,
+    HelloAck,
+    Message,
+    Pong,
+    Result,
+    Stop,
+    Telem,
+    number_of,
+    unpack,
+)
+
+HEARTBEAT_S = 0.1
+EARLY_S = 0.02  # a heartbeat may leave this much early, so a 30 Hz loop beats every third tick, not every fourth
+DEGRADED_S = 0.3
+LOST_S = 1.0
+OPENING_S = 2.0
+HELLO_AGAIN_S = 0.2
+RESEND_MIN_S, RESEND_MAX_S = 0.060, 0.500
+RETRIES = 3
+FRESH_S = 0.250  # a motion command is refused by the far end when it arrives later than this plus a round trip
+HUNG_S = 0.2  # longer between two polls: it was this program that was silent, not the far end
+
+
+class SessionState(Enum):
+    """Where a session stands."""
+
+    OPENING = "HELLO has been sent and not been answered yet"
+    READY = "the far end answered and may be driven"
+    DEGRADED = "no PONG for 300 ms; the far end's lease has ended by now"
+    LOST = "no answer for 1 s; this session is over"
+    REFUSED = "the far end speaks another protocol or definition; this session is over"
+
+
+@dataclass(frozen=True, slots=True)
+class Settled(Message):
+    """What became of a command, told by the session; never on the wire.
+
+    Attributes:
+        message: the very object that was handed to send().
+        seq: its sequence number, which MOVE_DONE names; None if it was never sent.
+        result: the far end's answer; None if there is none (dropped by a stop, refused as older than one, out of
+            retries, or the link is down).
+        sent_s: when the answered copy left.
+    """
+
+    message: Message
+    seq: int | None
+    result: Result | None
+    sent_s: float
+
+
+@dataclass(slots=True)
+class _Flight:
+    """A sequenced command on the wire, waiting for its answer."""
+
+    message: Message
+    data: bytes
+    seq: int
+    sent_s: float
+    copies: int = 1
+
+
+class RoundTrip:
+    """Smoothed round trip as in RFC 6298, and the offset of the far end's clock."""
+
+    def __init__(self) -> None:
+        self.srtt_s: float | None = None
+        self._variance_s = 0.0
+        self._offsets: deque[tuple[float, float]] = deque(maxlen=8)
+
+    @property
+    def resend_s(self) -> float:
+        """How long to wait for an answer before sending again, s."""
+        if self.srtt_s is None:
+            return 2 * RESEND_MIN_S
+        return min(max(self.srtt_s + 4 * self._variance_s, RESEND_MIN_S), RESEND_MAX_S)
+
+    def took(self, seconds: float) -> None:
+        """One more measurement."""
+        if self.srtt_s is None:
+            self.srtt_s, self._variance_s = seconds, seconds / 2
+            return
+        self._variance_s += (abs(self.srtt_s - seconds) - self._variance_s) / 4
+        self.srtt_s += (seconds - self.srtt_s) / 8
+
+    def clocks(self, host_s: float, mcu_ms: int, seconds: float) -> None:
+        """At host_s, half a round trip ago, the far end's clock showed mcu_ms."""
+        self._offsets.append((seconds, mcu_ms - (host_s - seconds / 2) * 1000))
+
+    def mcu_ms(self, host_s: float) -> int:
+        """What the far end's clock shows at host_s; the fastest of the last round trips decides."""
+        _, offset = min(self._offsets)
+        return round(host_s * 1000 + offset)
+
+
+class Session:
+    """See the module. Times are seconds of one monotonic clock.
+
+    Args:
+        number: session number, 1 to 255, best random.
+        first_seq: sequence number of HELLO, best random: with the session number it tells a repeat from a newcomer.
+        now_s: now.
+        stop_epoch: epoch to start from; a link hands it from attempt to attempt.
+    """
+
+    def __init__(self, number: int, first_seq: int, now_s: float, stop_epoch: int = 0) -> None:
+        self.round_trip = RoundTrip()
+        self.refusal: HandshakeError | None = None
+        self.hello: HelloAck | None = None
+        self._number, self._seq = number, first_seq & 0xFF
+        self._state = SessionState.OPENING
+        self._stop_epoch = stop_epoch
+        self._reader = FrameReader()
+        self._out = bytearray()
+        self._told: list[Message] = []
+        self._queue: deque[tuple[Message, float]] = deque()
+        self._flight: _Flight | None = None
+        self._stopping: _Flight | None = None
+        self._opened_s = self._polled_s = now_s
+        self._beat_due_s = now_s
+        self._beat_sent_s = now_s
+        self._waiting_since_s: float | None = None
+        self._hello_frame = encode_message(Hello(PROTOCOL_VERSION), number, self._seq)
+        self._hello_due_s = now_s
+
+    @property
+    def state(self) -> SessionState:
+        """Where this session stands."""
+        return self._state
+
+    @property
+    def ready(self) -> bool:
+        """The far end may be commanded."""
+        return self._state in (SessionState.READY, SessionState.DEGRADED)
+
+    @property
+    def over(self) -> bool:
+        """Nothing more comes of this session."""
+        return self._state in (SessionState.LOST, SessionState.REFUSED)
+
+    @property
+    def stop_epoch(self) -> int:
+        """How many stops there were; a motion command computed under an earlier one is refused."""
+        return self._stop_epoch
+
+    def send(self, message: Message, epoch: int, now_s: float) -> bool:
+        """Queue a command that was computed under this epoch. Whether it was taken; Settled follows either way."""
+        if not self.ready or (isinstance(message, MOTION) and epoch < self._stop_epoch):
+            self._told.append(Settled(message, None, None, now_s))
+            return False
+        self._queue.append((message, now_s))
+        return True
+
+    def stop(self, now_s: float, latch: bool = False) -> int:
+        """STOP (ESTOP with latch) past every queue; what was on its way is dropped. The new epoch."""
+        self._stop_epoch += 1
+        self._drop(now_s)
+        seq = self._next_seq()
+        data = encode_message(Estop() if latch else Stop(), self._number, seq)
+        self._stopping = _Flight(Estop() if latch else Stop(), data, seq, now_s)
+        self._out.clear()
+        self._out += b"\0" + data  # the zero ends whatever frame was cut off
+        return self._stop_epoch
+
+    def beat(self, now_s: float) -> None:
+        """The control loop is alive; renews the far end's lease, every 100 ms."""
+        if not self.ready or now_s < self._beat_due_s - EARLY_S or self._stopping is not None:
+            return
+        due_s = self._beat_due_s + HEARTBEAT_S
+        self._beat_due_s = due_s if due_s > now_s else now_s + HEARTBEAT_S
+        self._beat_sent_s = now_s
+        if self._waiting_since_s is None:
+            self._waiting_since_s = now_s
+        self._out += encode_message(
+            Heartbeat(int(now_s * 1000) & 0xFFFFFFFF), self._number, self._seq
+        )
+
+    def receive(self, data: bytes, now_s: float) -> list[Message]:
+        """Take bytes from the far end; telemetry, events and settled commands come back, in order."""
+        for frame in self._reader.feed(data):
+            if frame.session == self._number and not self.over:
+                self._handle(frame, now_s)
+        told, self._told = self._told, []
+        return told
+
+    def poll(self, now_s: float) -> bytes:
+        """Let time pass: resending, liveness. The bytes to write now."""
+        if self._state is SessionState.OPENING:
+            self._open(now_s)
+        elif self.ready:
+            self._watch(now_s)
+        self._polled_s = now_s
+        self._repeat_stop(now_s)
+        if self.ready:
+            self._resend(now_s)
+        data = bytes(self._out)
+        self._out.clear()
+        return data
+
+    # ---- receiving ------------------------------------------------------------------------------------------
+
+    def _handle(self, frame: Frame, now_s: float) -> None:
+        try:
+            message = unpack(frame.number, frame.payload)
+        except (UnknownMessageError, PayloadError):
+            return  # checked, and yet not ours: the definition hash decides about that at HELLO
+        match message:
+            case HelloAck():
+                self._greeted(message, now_s)
+            case Pong():
+                self._alive(message, now_s)
+            case Ack():
+                self._answered(message, now_s)
+            case Telem() | Event():
+                if self.ready:
+                    self._told.append(message)
+
+    def _greeted(self, message: HelloAck, now_s: float) -> None:
+        if self._state is not SessionState.OPENING:
+            return
+        self.hello = message
+        if message.proto != PROTOCOL_VERSION:
+            self._end(SessionState.REFUSED, now_s)
+            self.refusal = ProtocolMismatchError(PROTOCOL_VERSION, message.proto)
+        elif message.definition != DEFINITION_HASH:
+            self._end(SessionState.REFUSED, now_s)
+            self.refusal = DefinitionMismatchError(DEFINITION_HASH, message.definition)
+        else:
+            self._state = SessionState.READY
+            self.round_trip.clocks(now_s, message.mcu_ms, HELLO_AGAIN_S)
+
+    def _alive(self, message: Pong, now_s: float) -> None:
+        seconds = ((int(now_s * 1000) - message.host_ms) & 0xFFFFFFFF) / 1000
+        if seconds > LOST_S:
+            return  # late beyond use
+        self._waiting_since_s = None
+        self.round_trip.took(seconds)
+        self.round_trip.clocks(now_s, message.mcu_ms, seconds)
+        if self._state is SessionState.DEGRADED:
+            self._state = SessionState.READY
+
+    def _answered(self, ack: Ack, now_s: float) -> None:
+        stopping, flight = self._stopping, self._flight
+        if stopping is not None and ack.of_seq == stopping.seq:
+            self._stopping = None
+        if (
+            flight is None
+            or ack.of_seq != flight.seq
+            or ack.of_type != number_of(type(flight.message))
+        ):
+            return
+        if flight.copies == 1:  # an answer to one of several copies measures nothing
+            self.round_trip.took(now_s - flight.sent_s)
+        self._flight = None
+        self._told.append(
+            Settled(flight.message, flight.seq, Result(min(ack.result, 8)), flight.sent_s)
+        )
+        if ack.result == Result.BAD_SESSION:
+            self._end(SessionState.LOST, now_s)
+
+    # ---- sending --------------------------------------------------------------------------------------------
+
+    def _open(self, now_s: float) -> None:
+        if now_s - self._opened_s > OPENING_S:
+            self._end(SessionState.LOST, now_s)
+        elif now_s >= self._hello_due_s:
+            self._hello_due_s = now_s + HELLO_AGAIN_S
+            self._out += self._hello_frame
+
+    def _watch(self, now_s: float) -> None:
+        """Liveness is a missing PONG; what the operating system believes of the line is not asked."""
+        if self._waiting_since_s is None:
+            return
+        if now_s - self._polled_s > HUNG_S:
+            self._waiting_since_s += now_s - self._polled_s
+        silent_s = now_s - self._waiting_since_s
+        if silent_s > LOST_S:
+            self._end(SessionState.LOST, now_s)
+        elif silent_s > DEGRADED_S:
+            self._state = SessionState.DEGRADED
+
+    def _repeat_stop(self, now_s: float) -> None:
+        """Until it is acknowledged, or the lease has ended, as no heartbeat leaves meanwhile."""
+        flight = self._stopping
+        if flight is None or self.over:
+            return
+        if now_s - max(self._beat_sent_s, self._opened_s) > MAX_LEASE_MS / 1000:
+            self._stopping = None
+        elif now_s - flight.sent_s >= self.round_trip.resend_s:
+            flight.sent_s = now_s
+            self._out += flight.data
+
+    def _resend(self, now_s: float) -> None:
+        flight = self._flight
+        if flight is not None and now_s - flight.sent_s >= self.round_trip.resend_s:
+            if flight.copies > RETRIES:
+                self._flight = None
+                self._told.append(Settled(flight.message, flight.seq, None, flight.sent_s))
+            else:
+                flight.copies += 1
+                flight.sent_s = now_s
+                self._out += flight.data
+        while self._flight is None and self._stopping is None and self._queue:
+            self._launch(*self._queue.popleft(), now_s)
+
+    def _launch(self, message: Message, queued_s: float, now_s: float) -> None:
+        seq = self._next_seq()
+        timed = message
+        if isinstance(message, MOTION):
+            fresh_until_s = queued_s + FRESH_S + (self.round_trip.srtt_s or 0.0)
+            not_after_ms = self.round_trip.mcu_ms(fresh_until_s) & 0xFFFF
+            timed = dataclasses.replace(message, not_after_ms=not_after_ms)
+        data = encode_message(timed, self._number, seq)
+        self._flight = _Flight(message, data, seq, now_s)
+        self._out += data
+
+    def _next_seq(self) -> int:
+        self._seq = (self._seq + 1) & 0xFF
+        return self._seq
+
+    def _drop(self, now_s: float) -> None:
+        if self._flight is not None:
+            self._told.append(Settled(self._flight.message, self._flight.seq, None, now_s))
+            self._flight = None
+        while self._queue:
+            self._told.append(Settled(self._queue.popleft()[0], None, None, now_s))
+
+    def _end(self, state: SessionState, now_s: float) -> None:
+        self._state = state
+        self._drop(now_s)
