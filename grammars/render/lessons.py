@@ -61,6 +61,10 @@ def shortened(content: Operator, act: str) -> list[str]:
         case "DO":
             return [f"I know how to {act}", f"I know how to {verb}"]
         case "ANTE" if content.prohibits:
+            described = (content.trigger.graphlet,) if content.trigger.graphlet else ()
+            telling = Telling(described, content.unless, "robot")
+            if (cause := _teller(telling, content)) is not None:
+                return [f"I will not always obey {thing(telling, linked(cause, 'agt'))}"]
             return [f"I will not {act}", f"I will not always {verb}"]
         case "ALLOW":
             return [f"I may {act}", f"sometimes I may {verb}"]

@@ -1,0 +1,263 @@
+"""Every reply in English: what is shown and what is spoken."""
+
+from __future__ import annotations
+
+from typing import get_args
+
+import pytest
+
+from grammars.errors import NotUnderstoodError
+from grammars.replies import Said, discover, say
+from kernel.memory.lesson import Lesson, Operator, Rule
+from kernel.memory.meaning import Question, Social
+from kernel.memory.notation import read
+from kernel.memory.reply import (
+    Answer,
+    FactTaken,
+    Failed,
+    Greeted,
+    Halted,
+    LessonTaken,
+    Met,
+    NotYet,
+    Reason,
+    Refused,
+    Reply,
+)
+from kernel.net.graphlet import Graphlet
+
+
+def net(text: str) -> Graphlet:
+    """A graphlet from one line of items: "act-1 -lex- grab, -obj-> obj-2"."""
+    content = read(text.replace(", ", "\n"))
+    assert isinstance(content, Graphlet)
+    return content
+
+
+def operator(text: str) -> Operator:
+    content = read(text)
+    assert isinstance(content, Operator)
+    return content
+
+
+GRAB_MARY = net("act-1 -lex- grab, -obj-> obj-2, obj-2 -lex- mary")
+MARY_IS_A_PERSON = net("ako-1 -lex- person, -ako-> obj-2, obj-2 -lex- mary")
+HOLDING = net(
+    "act-1 -lex- hold, -agt-> obj-2, -obj-> obj-3, obj-2 -lex- you, ako-4 -lex- block, -ako-> obj-3"
+)
+GO = net("act-1 -lex- go, -dest-> obj-2, ako-3 -lex- kitchen, -ako-> obj-2, obj-2 -ref- the")
+WIDDERSHINS = net("act-1 -lex- turn, dir-2 -lex- widdershins, -dir-> act-1")
+DRIVE = net("act-1 -lex- drive, dir-2 -lex- forward, -dir-> act-1")
+
+NEVER_GRAB = operator(
+    """trig: ANTE[ act-1 -lex- grab
+        -obj-> obj-2
+  ako-3 -lex- person
+        -ako-> obj-2 ]
+pref: 1.0
+---------------
+DO[ act-5 -lex- say
+          -obj-> txt-6
+    txt-6 -str- I'm not allowed to ]
+PUNT[ ]"""
+)
+SALUTE = operator(
+    """trig: DO[ act-1 -lex- salute ]
+pref: 1.0
+---------------
+DO[ act-5 -lex- raise ]"""
+)
+GIRLS = Rule(
+    net("ako-1 -lex- girl, -ako-> obj-2"), net("ako-3 -lex- person, -ako-> obj-2"), belief=0.8
+)
+
+
+@pytest.mark.parametrize(
+    ("reply", "shown", "spoken"),
+    [
+        pytest.param(
+            LessonTaken(Lesson(1, "procedure", SALUTE)),
+            "Okay. To salute, I will raise.",
+            "Okay. I know how to salute.",
+            id="a procedure: in full on the screen, its gist aloud",
+        ),
+        pytest.param(
+            LessonTaken(Lesson(1, "prohibition", NEVER_GRAB)),
+            'Okay. I will never grab a person, instead I will say "I\'m not allowed to".',
+            "Okay. I will never grab a person, instead I will say I'm not allowed to.",
+            id="a prohibition: aloud in full",
+        ),
+        pytest.param(
+            LessonTaken(Lesson(1, "rule", GIRLS)),
+            "Okay. If something is a girl, it is usually a person.",
+            "Okay. I will remember that.",
+            id="a rule too long for the ear",
+        ),
+        pytest.param(
+            FactTaken(net("ako-1 -lex- girl, -ako-> obj-2"), (net("obj-2 -lex- mary"),)),
+            "Okay. Mary is a girl.",
+            "Okay. Mary is a girl.",
+            id="a fact about something looked up",
+        ),
+        pytest.param(
+            Refused(
+                GRAB_MARY,
+                Lesson(1, "prohibition", NEVER_GRAB, "Never grab a person.", "freddy"),
+                (MARY_IS_A_PERSON,),
+            ),
+            'I may not grab Mary: Freddy told me "Never grab a person", and Mary is a person.',
+            "I may not grab Mary: Freddy told me Never grab a person.",
+            id="refused: by whose words, and what it rests on",
+        ),
+        pytest.param(
+            Refused(GRAB_MARY, Lesson(1, "prohibition", NEVER_GRAB)),
+            "I may not grab Mary: I was told \"never grab a person but instead say 'I'm not allowed to'\".",
+            "I may not grab Mary: I was told never grab a person but instead say 'I'm not allowed to'.",
+            id="refused: words and teacher not known",
+        ),
+        pytest.param(Met("rick"), "Hello Rick.", "Hello Rick.", id="met"),
+        pytest.param(
+            Met(""),
+            "Okay, I don't know who you are now.",
+            "Okay, I don't know who you are now.",
+            id="unmet",
+        ),
+        pytest.param(Greeted(Social("hello"), "mary"), "Hello Mary.", "Hello Mary.", id="hello"),
+        pytest.param(Greeted(Social("thanks")), "You're welcome.", "You're welcome.", id="thanks"),
+        pytest.param(Halted(True), "I have stopped.", "I have stopped.", id="halted"),
+        pytest.param(Halted(False), "I was doing nothing.", "I was doing nothing.", id="idle"),
+        pytest.param(
+            NotYet("repeat"),
+            "I understood, but I can't do that yet: repeat.",
+            "I understood, but I can't do that yet.",
+            id="not yet",
+        ),
+    ],
+)
+def test_reply(reply: Reply, shown: str, spoken: str) -> None:
+    assert say(reply) == Said(shown, spoken)
+
+
+@pytest.mark.parametrize(
+    ("failure", "said"),
+    [
+        (Failed(net("act-1 -lex- salute"), "no_way"), "I don't know how to salute."),
+        (Failed(None, "no_way"), "I don't know how to do that."),
+        (
+            Failed(WIDDERSHINS, "not_grounded", "widdershins"),
+            "I don't know the direction widdershins.",
+        ),
+        (Failed(net("act-1 -lex- turn"), "not_grounded", "direction"), "You did not say which way to turn."),
+        (Failed(GRAB_MARY, "prohibited"), "I may not grab Mary."),
+        (Failed(GO, "nothing_found"), "I don't know where the kitchen is."),
+        (
+            Failed(
+                net("act-1 -lex- grab, -obj-> obj-2"),
+                "nothing_found",
+                about=(net("obj-2 -ref- the, ako-3 -lex- cup, -ako-> obj-2"),),
+            ),
+            "I don't know where the cup is.",
+        ),
+        (Failed(GRAB_MARY, "no_sense"), "I have no way to see that."),
+        (Failed(DRIVE, "too_much", "2 meters"), "I can't drive more than 2 meters at once."),
+        (Failed(DRIVE, "link_lost"), "I have lost the robot."),
+        (Failed(DRIVE, "stopped"), "I stopped driving forward."),
+        (Failed(DRIVE, "recursion"), "I can't drive forward as that would never end."),
+        (Failed(DRIVE, "conflict", "wheels"), "I can't do two things with my wheels at the same time."),
+    ],
+)  # fmt: skip
+def test_failure(failure: Failed, said: str) -> None:
+    assert say(failure) == Said(said, said)
+
+
+@pytest.mark.parametrize("reason", get_args(Reason))
+@pytest.mark.parametrize("act", [None, GRAB_MARY, net("act-1 -lex- grab, -obj-> obj-2")])
+def test_every_reason_has_one_sentence(reason: Reason, act: Graphlet | None) -> None:
+    shown = say(Failed(act, reason)).shown
+    assert shown[0].isupper()
+    assert shown.endswith(".")
+    assert "-" not in shown, "a net's name leaked"
+    assert "_" not in shown, "a reason's name leaked"
+
+
+PERSON = Question("yesno", MARY_IS_A_PERSON)
+
+
+@pytest.mark.parametrize(
+    ("reply", "said"),
+    [
+        (Answer(PERSON, "yes"), "Yes, Mary is a person."),
+        (Answer(PERSON, "no"), "No, Mary is not a person."),
+        (Answer(PERSON, "unknown"), "I don't know whether Mary is a person."),
+        (Answer(Question("yesno", HOLDING), "yes"), "Yes, I hold a block."),
+        (Answer(Question("yesno", HOLDING), "no"), "No, I do not hold a block."),
+        (
+            Answer(Question("yesno", net("act-1 -lex- dance"), topic="know_how"), "yes"),
+            "Yes, I know how to dance.",
+        ),
+        (Answer(Question("yesno", DRIVE, topic="did"), "yes"), "Yes, I drove forward."),
+        (Answer(Question("yesno", DRIVE, topic="did"), "no"), "No, I did not drive forward."),
+        (
+            Answer(Question("who", net("obj-1 -lex- me"), topic="identity"), "unknown"),
+            "I don't know who you are.",
+        ),
+        (
+            Answer(
+                Question("who", net("obj-1 -lex- me"), topic="identity"),
+                "found",
+                (net("obj-2 -lex- freddy"),),
+            ),
+            "You are Freddy.",
+        ),
+        (
+            Answer(Question("what", net("act-1 -ref- that"), topic="doing"), "found"),
+            "I am doing nothing.",
+        ),
+        (
+            Answer(Question("what", net("act-1 -ref- that"), topic="doing"), "found", (DRIVE,)),
+            "I am driving forward.",
+        ),
+        (
+            Answer(
+                Question("where", net("obj-1 -ref- the, ako-2 -lex- block, -ako-> obj-1"), "obj-1"),
+                "unknown",
+            ),
+            "I don't know where the block is.",
+        ),
+        (
+            Answer(Question("who", net("obj-1 -lex- mary"), "obj-1"), "found", (MARY_IS_A_PERSON,)),
+            "Mary is a person.",
+        ),
+    ],
+)
+def test_answer(reply: Answer, said: str) -> None:
+    assert say(reply) == Said(said, said)
+
+
+@pytest.mark.parametrize(
+    ("error", "shown", "spoken"),
+    [
+        (
+            NotUnderstoodError("zork", unknown_words=("zork",)),
+            "I don't know the word zork.",
+            "I don't know the word zork.",
+        ),
+        (
+            NotUnderstoodError("zork a flib", unknown_words=("zork", "flib")),
+            "I don't know the words zork and flib.",
+            "I don't know the words zork and flib.",
+        ),
+        (
+            NotUnderstoodError("drive to of", understood="drive to", nearest="drive forward"),
+            'I did not understand. I understood as far as "drive to". Did you mean "drive forward"?',
+            "I did not understand. Did you mean: drive forward?",
+        ),
+        (NotUnderstoodError("of of"), "I did not understand.", "I did not understand."),
+    ],
+)
+def test_not_understood(error: NotUnderstoodError, shown: str, spoken: str) -> None:
+    assert say(error) == Said(shown, spoken)
+
+
+def test_every_kind_of_reply_has_a_renderer() -> None:
+    assert set(get_args(Reply)) <= set(discover())
