@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Generator, Iterator
-from typing import Final, Protocol
+from typing import Final, Literal, Protocol
 
 from kernel.action.verdict import Verdict
 
 Run = Generator[None, None, Verdict]
+StepReason = Literal["no_way", "prohibited", "nothing_found"]
 
 
 class Advice(Protocol):
@@ -44,7 +45,7 @@ class Step(Protocol):
     def times(self) -> int:
         """How often the action is to be done: "twice" is 2."""
 
-    def explain(self, reason: str) -> None:
+    def explain(self, reason: StepReason) -> None:
         """Say why this step fails, unless something below it has said so already."""
 
 

@@ -6,8 +6,6 @@ deduction is limited to two steps). It is derived anew when working memory chang
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 from kernel.memory.lesson import Lesson, Rule
 from kernel.memory.rules import RuleBook
 from kernel.net.graphlet import Graphlet
@@ -63,7 +61,7 @@ class Halo:
         known = _shared(conclusion, binding)
         if holds(conclusion, self._net, band, known, 0.0):
             return
-        if holds(_denied(conclusion), self._net, WORKING, known, 0.0):
+        if holds(conclusion.denied(), self._net, WORKING, known, 0.0):
             return  # a person said otherwise, and told facts beat conclusions
         premises = [binding[t.name] for t in rule.condition.terms if t.name in binding]
         belief = rule.belief * min((node.belief for node in premises), default=1.0)
@@ -77,11 +75,3 @@ class Halo:
 
 def _shared(graphlet: Graphlet, binding: Binding) -> Binding:
     return {name: binding[name] for name in graphlet.mentioned if name in binding}
-
-
-def _denied(graphlet: Graphlet) -> Graphlet:
-    """The graphlet with the polarity of its main term turned round."""
-    terms = tuple(
-        replace(t, negated=not t.negated) if t.name == graphlet.main else t for t in graphlet.terms
-    )
-    return Graphlet(terms, graphlet.main)

@@ -7,7 +7,6 @@ told facts about anything among these (mind.md).
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable
-from dataclasses import replace
 from typing import Final
 
 from kernel.memory.halo import Halo
@@ -36,6 +35,7 @@ class WorkingMemory:
         self.told: dict[Node, tuple[Node, ...]] = {}
         self._roots = roots
         self._sensed: dict[str, tuple[Node, ...]] = {}
+        self._sensed_names: Binding = {}
         self._stale = True
         self.me = self.net.new("self", "you")
         self._anyone = self.net.new("user", "me")
@@ -87,13 +87,7 @@ class WorkingMemory:
         Returns:
             The binding, and the nodes that carry the fact, main first.
         """
-        denied = Graphlet(
-            tuple(
-                replace(t, negated=not t.negated) if t.name == fact.main else t for t in fact.terms
-            ),
-            fact.main,
-        )
-        for opposite in list(matches(denied, self.net, REMEMBERED, binding, 0.0)):
+        for opposite in list(matches(fact.denied(), self.net, REMEMBERED, binding, 0.0)):
             self.retract(opposite[fact.main])
         for same in matches(fact, self.net, REMEMBERED, binding, 0.0):
             if same[fact.main] in self.told:
@@ -131,28 +125,52 @@ class WorkingMemory:
             self.net.drop(node)
         self.changed()
 
+    def is_part(self, node: Node) -> bool:
+        """Whether it is a part of the robot's own body."""
+        return node in self._born
+
+    def recall_fact(self, fact: Graphlet) -> None:
+        """Take a fact that was stored: its named things are those known by these names."""
+        named: Binding = {}
+        for term in fact.terms:
+            if term.kind == "obj" and term.lex:
+                word = min(term.lex)
+                known = [n for n in self.net.with_word(word) if n.kind in ("obj", "user")]
+                named[term.name] = known[0] if known else self.net.from_term(term)
+        _, carrying = self.tell(fact, named)
+        for node in named.values():
+            self.told[carrying[0]] = tuple(dict.fromkeys((*self.told[carrying[0]], node)))
+
     def is_lasting(self, node: Node) -> bool:
         """Whether the node outlives the focus that made it."""
-        if node in (self.me, self.user, self._anyone) or node in self._kept():
-            return True
         kept = self._kept()
-        return any(other in kept for _, other in node.into)
+        return (
+            node is self.me
+            or node.kind == "user"
+            or node in kept
+            or any(other in kept for _, other in node.into)
+        )
 
     # -- what is sensed --------------------------------------------------------------------
 
-    def sense(self, key: str, fact: Graphlet, about: Binding) -> tuple[Node, ...]:
-        """Hold a sensed fact under a key until `unsense`; return its nodes, main first."""
-        self.unsense(key)
-        bound = instantiate(self.net, fact, about)
-        new = [node for name, node in bound.items() if name not in about]
-        self._sensed[key] = (bound[fact.main], *(n for n in new if n is not bound[fact.main]))
+    def sense(self, key: str, fact: Graphlet) -> tuple[Node, ...]:
+        """Hold a sensed fact under a key until `unsense`; return its nodes.
+
+        Names that other held facts use mean the same nodes: "very close" modifies the "close" that is held.
+        """
+        bound = instantiate(self.net, fact, self._sensed_names)
+        new = {name: node for name, node in bound.items() if name not in self._sensed_names}
+        self._sensed_names |= new
+        self._sensed[key] = tuple(new.values())
         self.changed()
         return self._sensed[key]
 
     def unsense(self, key: str) -> None:
         """The sensor does not say so any more."""
-        for node in self._sensed.pop(key, ()):
+        gone = self._sensed.pop(key, ())
+        for node in gone:
             self.net.drop(node)
+        self._sensed_names = {n: node for n, node in self._sensed_names.items() if node not in gone}
         self.changed()
 
     # -- who is there ----------------------------------------------------------------------

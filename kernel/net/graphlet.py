@@ -77,6 +77,13 @@ class Graphlet:
         """Every lexical item in it."""
         return frozenset(word for term in self.terms for word in term.lex)
 
+    def denied(self) -> Graphlet:
+        """The same with the polarity of the main term turned round."""
+        terms = tuple(
+            replace(t, negated=not t.negated) if t.name == self.main else t for t in self.terms
+        )
+        return Graphlet(terms, self.main)
+
     def renamed(self, names: dict[str, str]) -> Graphlet:
         """The same graphlet with names replaced; names that are not in the table stay."""
         terms = tuple(

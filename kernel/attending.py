@@ -1,0 +1,148 @@
+"""How a focus begins: what was heard or noticed, as the chain that attends to it.
+
+Every utterance posts NOTE[tell or ask, agt user, dest self] first, always, then its content: this is how "if Rick tells
+you to do something don't" works (Connell 2019, section 4, Permissions).
+"""
+
+from __future__ import annotations
+
+from typing import Protocol
+
+from kernel.action.chain import Directive
+from kernel.action.step import DIRECTIVES, Run
+from kernel.action.verdict import Verdict
+from kernel.commons import Commons
+from kernel.memory.attention import Focus
+from kernel.memory.lesson import Lesson
+from kernel.memory.meaning import (
+    Command,
+    Control,
+    Fact,
+    Feedback,
+    Heard,
+    Identity,
+    Question,
+    Revision,
+    Social,
+    Teach,
+)
+from kernel.memory.reply import FactTaken, Greeted, Met, NotYet
+from kernel.net.graphlet import Graphlet
+from kernel.net.node import Node, instantiate
+from kernel.running import Frame
+from kernel.stepping import RunningStep
+
+
+class Listener(Protocol):
+    """What a mind lets an utterance change of itself."""
+
+    speaker: str
+
+
+def attend(mind: Listener, commons: Commons, focus: Focus) -> Run:
+    """Note that somebody spoke, then see to what was said."""
+    heard = focus.heard
+    if heard is None:
+        return Verdict.SUCCEEDED
+    if heard.utterance.speaker:
+        mind.speaker = heard.utterance.speaker.lower()
+    memory = commons.memory
+    memory.person_speaking(mind.speaker)
+    words = ("ask",) if isinstance(heard.meaning, Question) else ("tell", "ask")
+    focus.speech_act = memory.net.new("input", *words, agt=memory.user, dest=memory.me)
+    focus.nodes[focus.speech_act] = None
+    memory.changed()
+    yield from noted(commons, focus, (focus.speech_act,))
+    return (yield from _content(mind, commons, focus, heard))
+
+
+def notice(
+    mind: Listener, commons: Commons, focus: Focus, nodes: tuple[Node, ...], fact: Graphlet | None
+) -> Run:
+    """React to what the senses report: facts that are held already, or a passing event."""
+    if fact is not None:
+        bound = instantiate(commons.memory.net, fact, {})
+        nodes = tuple(bound.values())
+        commons.memory.changed()
+    for node in nodes:
+        focus.nodes[node] = None
+    return (yield from noted(commons, focus, nodes))
+
+
+def noted(commons: Commons, focus: Focus, nodes: tuple[Node, ...]) -> Run:
+    """A NOTE about nodes that are in memory already."""
+    step = RunningStep(Frame(commons, focus, {}), Directive("NOTE"))
+    step.facts = nodes
+    return (yield from DIRECTIVES["NOTE"](step))
+
+
+def _content(mind: Listener, commons: Commons, focus: Focus, heard: Heard) -> Run:
+    frame = Frame(commons, focus, {})
+    match heard.meaning:
+        case Command(chain):
+            return (yield from frame.chain(chain))
+        case Fact(fact, finds):
+            return (yield from _fact(commons, focus, fact, finds))
+        case Teach(kind, content):
+            utterance = heard.utterance
+            focus.lesson = Lesson(0, kind, content, utterance.text, mind.speaker, utterance.at_s)
+            return (yield from frame.directive(Directive("ADD")))
+        case Question() as question:
+            if question.topic not in ("", "identity"):
+                commons.replies.append(NotYet(f"questions about {question.topic}"))
+                return Verdict.SUCCEEDED
+            return (yield from frame.directive(Directive("ASK")))
+        case Identity(name):
+            mind.speaker = name
+            commons.memory.person_speaking(name)
+            commons.record("identity", focus, name=name)
+            commons.replies.append(Met(name))
+        case Social() as social:
+            commons.replies.append(Greeted(social, mind.speaker))
+        case Feedback(stop=stop):
+            if not stop:
+                commons.replies.append(NotYet("feedback"))
+        case Control(act):
+            if act != "stop":
+                commons.replies.append(NotYet(act))
+        case Revision():
+            commons.replies.append(NotYet("revision"))
+    return Verdict.SUCCEEDED
+
+
+def _fact(commons: Commons, focus: Focus, fact: Graphlet, finds: tuple[Graphlet, ...]) -> Run:
+    """Look up or make what the fact is about, take it for true, react to it."""
+    memory = commons.memory
+    frame = Frame(commons, focus, {})
+    for find in finds:
+        options = frame.options(Directive("FIND", find), ())
+        frame.binding = next(options, {}) or frame.instantiate(find)
+        memory.remember_description(
+            [frame.binding[t.name] for t in find.terms if t.name in frame.binding]
+        )
+    frame.binding, carrying = memory.tell(fact, frame.binding)
+    commons.record("fact", focus, text=" ".join(sorted(fact.words())))
+    commons.replies.append(FactTaken(fact, finds))
+    verdict = yield from noted(commons, focus, carrying)
+    if _lasts(fact, finds):
+        terms = {t.name: t for g in (*finds, fact) for t in g.terms}
+        whole = Graphlet(tuple(terms.values()), fact.main)
+        utterance = focus.heard.utterance if focus.heard else None
+        focus.lesson = Lesson(
+            0,
+            "fact",
+            whole,
+            utterance.text if utterance else "",
+            utterance.speaker if utterance else "",
+            utterance.at_s if utterance else 0.0,
+        )
+        yield from frame.directive(Directive("ADD"))
+    return verdict
+
+
+def _lasts(fact: Graphlet, finds: tuple[Graphlet, ...]) -> bool:
+    """Facts of kind about a named individual are kept like lessons (mind.md)."""
+    named = {t.name for g in (*finds, fact) for t in g.terms if t.kind == "obj" and t.lex}
+    named -= {t.name for g in (*finds, fact) for t in g.terms if t.lex & {"you", "me"}}
+    main = next((t for t in fact.terms if t.name == fact.main), None)
+    return main is not None and any(role == "ako" and to in named for role, to in main.links)

@@ -1,0 +1,102 @@
+"""Calling grounding functions: their bids become claims, their errors become explanations."""
+
+from __future__ import annotations
+
+from typing import Final
+
+from kernel.action.arbiter import Claim
+from kernel.action.call import GROUNDINGS, Act, Bid, Call, Speak
+from kernel.action.step import Run
+from kernel.action.verdict import Verdict
+from kernel.commons import Commons
+from kernel.errors import (
+    KernelError,
+    LimitError,
+    MotionFailedError,
+    NoSenseError,
+    NotGroundedError,
+)
+from kernel.memory.attention import Failure, Focus
+from kernel.memory.reply import Reason
+from kernel.net.node import MODIFIER_ROLES, Node
+
+_MOTION_REASONS: Final[dict[str, Reason]] = {
+    "link_lost": "link_lost",
+    "missed": "nothing_gripped",
+    "stuck": "stuck",
+    "refused": "crashed",
+    "stopped": "stopped",
+}
+
+
+def call(commons: Commons, focus: Focus, name: str, act: Node) -> Run:
+    """Run a grounding function to its end; every tick it bids, its bid is claimed for the focus."""
+    grounding = GROUNDINGS.get(name)
+    if grounding is None:
+        focus.failure = Failure("no_way", act, name)
+        return Verdict.FAILED
+    commons.memory.refresh()
+    ticket = commons.next_number()
+    told = {"function": name, "text": act_text(act), "words": act_words(act), "ticket": ticket}
+    commons.record("action_started", focus, **told)
+    verdict = Verdict.STOPPED
+    running = grounding.code(Call(act, commons.memory.depth, ticket), commons.tick)
+    try:
+        verdict = yield from _served(commons, focus, running, ticket)
+    except KernelError as error:
+        focus.failure = focus.failure or _explained(error, act)
+        verdict = Verdict.FAILED
+    finally:
+        running.close()
+        commons.record("action_ended", focus, verdict=verdict.value, **told)
+    return verdict
+
+
+def _served(commons: Commons, focus: Focus, running: Act, ticket: int) -> Run:
+    """Pass the function's bids on; fail it when the mind has struck its ticket."""
+    spoken = False
+    while True:
+        if ticket in commons.struck:
+            focus.failure = Failure(commons.struck.pop(ticket))
+            return Verdict.FAILED
+        try:
+            bid: Bid | None = next(running)
+        except StopIteration as end:
+            verdict: Verdict = end.value
+            return verdict
+        if bid is not None and isinstance(bid.command, Speak):
+            if not spoken:
+                commons.speech.append(bid)
+                spoken = True
+        elif bid is not None:
+            commons.claims.append(Claim(focus.number, bid))
+        yield
+
+
+def _explained(error: KernelError, act: Node) -> Failure:
+    match error:
+        case NotGroundedError(wanted=wanted):
+            return Failure("not_grounded", act, wanted)
+        case LimitError(detail=detail):
+            return Failure("too_much", act, detail)
+        case NoSenseError(what=what):
+            return Failure("no_sense", act, what)
+        case MotionFailedError(why=why):
+            return Failure(_MOTION_REASONS.get(why, "crashed"), act, why)
+    return Failure("crashed", act, str(error))
+
+
+def act_words(act: Node) -> tuple[str, ...]:
+    """Words of an action: its verb, then those of what modifies it and of its arguments."""
+    words = [min(act.lex)] if act.lex else []
+    for role, other in (*act.into, *act.links):
+        if role in MODIFIER_ROLES or role in ("obj", "dest"):
+            words += [other.literal] if other.literal else []
+            words += sorted(other.lex)[:1]
+            words += [min(n.lex) for r, n in other.into if r in MODIFIER_ROLES and n.lex]
+    return tuple(words)
+
+
+def act_text(act: Node | None) -> str:
+    """The action in a few words, for traces."""
+    return " ".join(act_words(act)) if act is not None else ""

@@ -1,0 +1,111 @@
+"""The attention buffer: what the mind is busy with, newest first.
+
+Source: Connell 2019, section 3; sizes and times are mind.md's.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass, field
+from typing import Final
+
+from kernel.action.step import Run
+from kernel.action.verdict import Verdict
+from kernel.memory.lesson import Lesson
+from kernel.memory.meaning import Heard
+from kernel.memory.reply import Reason
+from kernel.net.node import Node
+
+ACTIVE_LIMIT: Final = 32
+FADE_S: Final = 30.0
+
+
+@dataclass(slots=True)
+class Failure:
+    """Why a focus came to nothing: the first cause that was found. spoken: the robot has said something about it."""
+
+    reason: Reason
+    act: Node | None = None
+    detail: str = ""
+    by: Lesson | None = None
+    spoken: bool = False
+
+
+@dataclass(slots=True, eq=False)
+class Focus:
+    """One thing in attention.
+
+    Attributes:
+        number: running number; the greater, the newer and the more urgent.
+        heard: the utterance it came from, None for the robot's own noticing.
+        run: its chain, while active.
+        nodes: nodes made on its behalf.
+        speech_act: the node NOTE[tell] is about.
+        ended_s: when it was handled, None while active.
+        failure: why it failed, or is failing.
+        reaction: the NOTE operator it followed first; lesson: what it is to learn.
+        preempted: when which lesson's reaction took a resource from it, s.
+    """
+
+    number: int
+    heard: Heard | None = None
+    run: Run | None = None
+    nodes: dict[Node, None] = field(default_factory=dict)
+    speech_act: Node | None = None
+    ended_s: float | None = None
+    verdict: Verdict | None = None
+    failure: Failure | None = None
+    reaction: Lesson | None = None
+    lesson: Lesson | None = None
+    preempted: list[tuple[float, int]] = field(default_factory=list)
+
+    @property
+    def words(self) -> str:
+        """The utterance it descends from, "" for none."""
+        return self.heard.utterance.text if self.heard else ""
+
+
+class Attention:
+    """Foci, active ones and those that fade."""
+
+    def __init__(self, fade_s: float = FADE_S) -> None:
+        self._foci: list[Focus] = []
+        self._fade_s = fade_s
+        self._count = 0
+
+    def __iter__(self) -> Iterator[Focus]:
+        """Newest first."""
+        return reversed(self._foci)
+
+    def active(self) -> list[Focus]:
+        """Foci not handled yet, newest first."""
+        return [focus for focus in self if focus.ended_s is None]
+
+    @property
+    def full(self) -> bool:
+        """Whether an utterance has to be refused for lack of room."""
+        return len(self.active()) >= ACTIVE_LIMIT
+
+    def post(self, heard: Heard | None = None) -> Focus:
+        """Put something new before the mind."""
+        self._count += 1
+        focus = Focus(self._count, heard)
+        self._foci.append(focus)
+        return focus
+
+    def fade(self, now_s: float) -> list[Focus]:
+        """Take out and return what was handled long enough ago."""
+        faded = [
+            f for f in self._foci if f.ended_s is not None and now_s - f.ended_s >= self._fade_s
+        ]
+        if faded:
+            self._foci = [f for f in self._foci if f not in faded]
+        return faded
+
+    def evict(self) -> Focus | None:
+        """Take out the oldest handled focus, to make room."""
+        for focus in self._foci:
+            if focus.ended_s is not None:
+                self._foci.remove(focus)
+                return focus
+        return None

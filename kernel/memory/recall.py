@@ -1,0 +1,107 @@
+"""Looking things up: what a description refers to, what a question is answered with."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from typing import Final
+
+from kernel.action.chain import Directive
+from kernel.memory.meaning import Question
+from kernel.memory.reply import Answer
+from kernel.memory.working import WorkingMemory
+from kernel.net.graphlet import Graphlet
+from kernel.net.match import Binding, matches
+from kernel.net.node import REMEMBERED, Node, describe
+
+# The object of an act needs no known place: a thing of that description may be assumed (mind.md, FIND).
+ASSUMING_ROLES: Final = frozenset(("obj",))
+SPEECH_VERBS: Final = frozenset(("say", "tell", "ask", "greet"))
+THINGS: Final = frozenset(("obj", "user", "self"))
+
+
+def known(graphlet: Graphlet, binding: Binding) -> Binding:
+    """The part of the binding that the graphlet mentions."""
+    return {name: binding[name] for name in graphlet.mentioned if name in binding}
+
+
+def referents(
+    graphlet: Graphlet, memory: WorkingMemory, binding: Binding, threshold: float
+) -> Iterator[Binding]:
+    """Bindings of the described thing to known things, the most recently mentioned first."""
+    memory.refresh()
+    found: dict[Node, Binding] = {}
+    bare = all(not t.lex and not t.links and t.literal is None for t in graphlet.terms)
+    if bare:
+        for node in list(memory.net):
+            if _is_topic(node, memory) and node.level <= REMEMBERED:
+                found[node] = {**binding, graphlet.main: node}
+    else:
+        start = known(graphlet, binding)
+        for match in matches(graphlet, memory.net, REMEMBERED, start, threshold):
+            node = match[graphlet.main]
+            if node.kind in THINGS:
+                found.setdefault(node, {**binding, **match})
+    for node in sorted(found, key=lambda n: -n.stamp):
+        yield found[node]
+
+
+def _is_topic(node: Node, memory: WorkingMemory) -> bool:
+    """Something a pronoun can stand for: a thing that was described, not the robot, its parts or the speaker."""
+    return (
+        node.kind == "obj"
+        and node not in (memory.me, memory.user)
+        and not memory.is_part(node)
+        and bool(node.lex or any(role in ("ako", "hq") for role, _ in node.into))
+    )
+
+
+def may_assume(graphlet: Graphlet, later: Sequence[Directive]) -> bool:
+    """Whether a thing of this description may be taken to exist: as the object of an act, or someone to speak to.
+
+    A pronoun stands for something known.
+    """
+    main = next((t for t in graphlet.terms if t.name == graphlet.main), None)
+    described = any(t.name != graphlet.main for t in graphlet.terms) or bool(main and main.lex)
+    if not described and main is not None and main.ref:
+        return False
+    for directive in later:
+        for term in directive.graphlet.terms if directive.graphlet else ():
+            for role, name in term.links:
+                if name == graphlet.main:
+                    return role in ASSUMING_ROLES or bool(term.lex & SPEECH_VERBS)
+    return False
+
+
+def missing(find: Directive) -> str:
+    """Words for what was looked for."""
+    if find.graphlet is None:
+        return ""
+    main = next((t for t in find.graphlet.terms if t.name == find.graphlet.main), None)
+    kinds = sorted(w for t in find.graphlet.terms if t.kind == "ako" for w in t.lex)
+    names = sorted(main.lex) if main else []
+    return " ".join(names or kinds) or (main.ref if main else "") or "it"
+
+
+def answer(question: Question, memory: WorkingMemory) -> Answer:
+    """What memory has to say to a question about what is so."""
+    about = question.about
+    if question.topic == "identity":
+        names = memory.user.lex - {"me"}
+        return Answer(
+            question, "found" if names else "unknown", (describe(memory.user),) * bool(names)
+        )
+    if question.ask == "yesno":
+        for pattern, positive in ((about, True), (about.denied(), False)):
+            for binding in matches(pattern, memory.net, memory.depth):
+                memory.mention(binding[about.main])
+                return Answer(
+                    question, "yes" if positive else "no", (describe(binding[about.main]),)
+                )
+        return Answer(question, "unknown")
+    found = []
+    for binding in matches(about, memory.net, memory.depth):
+        wanted = binding.get(question.wanted or about.main)
+        if wanted is not None and wanted not in found:
+            found.append(wanted)
+    described = tuple(describe(node) for node in found)
+    return Answer(question, "found" if found else "unknown", described)

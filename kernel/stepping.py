@@ -1,0 +1,291 @@
+"""A directive being carried out: what its code can ask of memory, policy and body."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING, Final
+
+from kernel.action.chain import Directive
+from kernel.action.step import Advice, Run, StepReason
+from kernel.action.verdict import Verdict
+from kernel.calling import act_text, call
+from kernel.memory.attention import Failure
+from kernel.memory.choice import choice_weights, in_turn
+from kernel.memory.lesson import Lesson, Operator
+from kernel.memory.meaning import Question
+from kernel.memory.recall import answer, known
+from kernel.memory.reply import LessonTaken, Reason
+from kernel.net.graphlet import Graphlet
+from kernel.net.match import Binding, holds, matches
+from kernel.net.node import Node
+
+if TYPE_CHECKING:
+    from kernel.running import Frame
+
+DEEPEST: Final = 20
+
+
+@dataclass(frozen=True, slots=True)
+class Chosen:
+    """An operator that applies, and how."""
+
+    lesson: Lesson
+    operator: Operator
+    binding: Binding
+    specificity: int
+
+
+class RunningStep:
+    """A directive being carried out (kernel.action.step.Step)."""
+
+    def __init__(self, frame: Frame, directive: Directive) -> None:
+        self.frame, self.directive = frame, directive
+        self.commons, self.focus = frame.commons, frame.focus
+        self.threshold = self.commons.settings.threshold
+        self.facts: tuple[Node, ...] = ()
+        self.node: Node | None = None
+        self.ruled_out = False  # the only operators that apply are being run already
+        graphlet = directive.graphlet
+        if graphlet is None or directive.tag in ("CHK", "FIND"):
+            return
+        memory = self.commons.memory
+        if directive.tag == "NOTE":
+            bound, self.facts = memory.tell(graphlet, frame.binding)
+            frame.binding = dict(bound)
+            for node in self.facts:
+                self.focus.nodes[node] = None
+        else:
+            frame.binding = frame.instantiate(graphlet)
+        self.node = frame.binding[graphlet.main]
+        if directive.tag == "DO" and self.focus.speech_act is not None:
+            memory.net.link(self.focus.speech_act, "cmd", self.node)
+        memory.changed()
+
+    # -- operators -------------------------------------------------------------------------
+
+    def operators(self, tag: str) -> Iterator[Chosen]:
+        """Applicable operators: NOTE and DO in turn by weight, ANTE and POST all, prohibitions first."""
+        found = list(self.applicable(tag))
+        if tag == "ANTE":
+            found.sort(key=lambda c: not c.operator.prohibits)
+            found = [c for c in found if not (c.operator.prohibits and self.permitted(c))]
+        if not found:
+            return
+        weights = choice_weights(
+            [c.operator.preference for c in found],
+            [c.specificity for c in found],
+            self.commons.settings.sharpness,
+        )
+        self.commons.record(
+            "considered",
+            self.focus,
+            tag=tag,
+            options=tuple((c.lesson.words or str(c.lesson.ident)) for c in found),
+            weights=tuple(round(w, 3) for w in weights),
+        )
+        order = (
+            iter(found) if tag in ("ANTE", "POST") else in_turn(found, weights, self.commons.chance)
+        )
+        for choice in order:
+            self.commons.record("chosen", self.focus, tag=tag, lesson=choice.lesson.ident)
+            if tag == "ANTE" and choice.operator.prohibits:
+                self.prohibit(choice)
+            yield choice
+
+    def applicable(self, tag: str) -> Iterator[Chosen]:
+        """Operators of the tag whose trigger and enablement match."""
+        memory = self.commons.memory
+        memory.refresh()
+        if tag == "NOTE":
+            lessons: Iterator[Lesson] = self.commons.operators.for_fact(memory.net)
+        elif self.node is not None:
+            lessons = self.commons.operators.for_node(tag, self.node)
+        else:
+            return
+        self.ruled_out = False
+        for lesson in lessons:
+            operator = lesson.content
+            if not isinstance(operator, Operator) or operator.trigger.graphlet is None:
+                continue
+            if operator.preference < self.commons.settings.least_preference and tag in (
+                "NOTE",
+                "DO",
+            ):
+                continue
+            choice = self.match(lesson, operator, self.threshold_for(operator))
+            if choice is None:
+                continue
+            if lesson in self.frame.within and tag == "DO":
+                self.ruled_out = True
+                continue
+            yield choice
+
+    def threshold_for(self, operator: Operator) -> float:
+        """A prohibition counts weak premises, a permission only strong ones (mind.md)."""
+        if operator.prohibits:
+            return self.commons.settings.prohibition_threshold
+        if operator.trigger.tag == "ALLOW":
+            return self.commons.settings.permission_threshold
+        return self.threshold
+
+    def match(self, lesson: Lesson, operator: Operator, threshold: float) -> Chosen | None:
+        """The first binding under which the operator applies, or None."""
+        memory = self.commons.memory
+        net, depth, trigger = memory.net, memory.depth, operator.trigger.graphlet
+        if trigger is None:
+            return None
+        start: Binding = {}
+        if operator.trigger.tag != "NOTE" and self.node is not None:
+            start = {trigger.main: self.node}
+        for binding in matches(trigger, net, depth, start, threshold):
+            if operator.trigger.tag == "NOTE" and not self.takes_part(binding):
+                continue
+            enabled = self.enabled(operator.enablement, binding, threshold)
+            if enabled is None or any(
+                holds(g, net, depth, known(g, enabled), threshold) for g in operator.unless
+            ):
+                continue
+            terms = (*trigger.terms, *(t for g in operator.enablement for t in g.terms))
+            return Chosen(lesson, operator, enabled, max(1, len(terms)))
+        return None
+
+    def enabled(
+        self, patterns: tuple[Graphlet, ...], binding: Binding, threshold: float
+    ) -> Binding | None:
+        """The binding extended so that all patterns hold."""
+        if not patterns:
+            return binding
+        memory = self.commons.memory
+        for more in matches(patterns[0], memory.net, memory.depth, binding, threshold):
+            whole = self.enabled(patterns[1:], more, threshold)
+            if whole is not None:
+                return whole
+        return None
+
+    def takes_part(self, binding: Binding) -> bool:
+        """Whether the noted fact, or a conclusion that rests on it, is in the match."""
+        facts = set(self.facts)
+        return any(
+            node in facts or node.reasons & facts or any(r.reasons & facts for r in node.reasons)
+            for node in binding.values()
+        )
+
+    def permitted(self, prohibition: Chosen) -> bool:
+        """Whether a permission at least as specific voids this prohibition; on a tie the newer one counts."""
+        about_speaker = _names_speaker(prohibition.operator)
+        for permission in self.applicable("ALLOW"):
+            if about_speaker and not _names_speaker(permission.operator):
+                continue
+            newer = permission.lesson.ident > prohibition.lesson.ident
+            if permission.specificity > prohibition.specificity or (
+                permission.specificity == prohibition.specificity and newer
+            ):
+                self.commons.record("permitted", self.focus, by=permission.lesson.words)
+                return True
+        return False
+
+    def prohibit(self, choice: Chosen) -> None:
+        """Remember the veto as the explanation."""
+        says = any(d.tag == "DO" for d in choice.operator.chain.directives())
+        self.focus.failure = Failure("prohibited", self.node, by=choice.lesson, spoken=says)
+        self.commons.record(
+            "prohibited", self.focus, by=choice.lesson.words, text=act_text(self.node)
+        )
+
+    def desperate(self) -> bool:
+        """Lower the threshold once (Connell 2019: a robot "desperate to find some action" may)."""
+        if self.threshold <= self.commons.settings.desperate_threshold:
+            return False
+        self.threshold = self.commons.settings.desperate_threshold
+        return True
+
+    def run(self, advice: Advice) -> Run:
+        """Run the operator's chain in a frame of its own."""
+        assert isinstance(advice, Chosen)
+        if len(self.frame.within) >= DEEPEST:
+            self.frame.explain("too_deep", self.node)
+            return Verdict.FAILED
+        before = self.focus.failure
+        frame = self.frame.within_operator(advice.binding, advice.lesson)
+        if advice.operator.trigger.tag == "NOTE" and self.focus.reaction is None:
+            self.focus.reaction = advice.lesson
+        verdict = yield from frame.chain(advice.operator.chain)
+        if verdict.ok or advice.operator.trigger.tag in ("POST", "NOTE"):
+            self.focus.failure = before
+        return verdict
+
+    # -- what directives ask for -----------------------------------------------------------
+
+    def truth(self) -> bool | None:
+        """CHK from memory."""
+        graphlet, memory = self.directive.graphlet, self.commons.memory
+        if graphlet is None:
+            return None
+        memory.refresh()
+        bound = known(graphlet, self.frame.binding)
+        for pattern, verdict in ((graphlet, True), (graphlet.denied(), False)):
+            for binding in matches(pattern, memory.net, memory.depth, bound, self.threshold):
+                self.frame.binding = {**self.frame.binding, **binding}
+                return verdict
+        return None
+
+    def referent(self) -> bool:
+        """FIND inside a play: the first option is taken, without coming back."""
+        binding = next(self.frame.options(self.directive, ()), None)
+        if binding is not None:
+            self.frame.binding = binding
+        return binding is not None
+
+    def call(self) -> Run:
+        """FCN: the function's name is the word of the main node, the act is what its arg points to."""
+        if self.node is None:
+            return Verdict.FAILED
+        act = next(self.node.to("arg"), self.node)
+        return (yield from call(self.commons, self.focus, min(self.node.lex), act))
+
+    def learn(self) -> Run:
+        """Persist, wait, put in force, acknowledge."""
+        lesson = self.focus.lesson
+        if lesson is None:
+            return Verdict.FAILED
+        commons, key = self.commons, self.commons.next_number()
+        commons.persist.append((key, lesson))
+        while key not in commons.persisted:
+            if key in commons.persist_failed:
+                why = commons.persist_failed.pop(key)
+                self.focus.failure = Failure("not_stored", None, why)
+                return Verdict.FAILED
+            yield
+        lesson = replace(lesson, ident=commons.persisted.pop(key))
+        commons.enforce(lesson)
+        commons.record("lesson", self.focus, ident=lesson.ident, kind=lesson.kind)
+        if lesson.kind != "fact":
+            commons.replies.append(LessonTaken(lesson))
+        return Verdict.SUCCEEDED
+
+    def answer(self) -> None:
+        """Reply to the focus's question."""
+        meaning = self.focus.heard.meaning if self.focus.heard else None
+        if isinstance(meaning, Question):
+            self.commons.memory.refresh()
+            self.commons.replies.append(answer(meaning, self.commons.memory))
+
+    def times(self) -> int:
+        """The count under the action node."""
+        for node in self.node.modifiers("cnt") if self.node else ():
+            if node.literal and node.literal.isdigit():
+                return int(node.literal)
+        return 1
+
+    def explain(self, reason: StepReason) -> None:
+        """Say why; operators that were left out because they are running already mean recursion."""
+        if reason == "prohibited":
+            return
+        why: Reason = "recursion" if reason == "no_way" and self.ruled_out else reason
+        self.frame.explain(why, self.node)
+
+
+def _names_speaker(operator: Operator) -> bool:
+    graphlets = (operator.trigger.graphlet, *operator.enablement)
+    return any(role == "cmd" for g in graphlets if g for t in g.terms for role, _ in t.links)
