@@ -42,7 +42,6 @@ class Here:
         except BaseException:
             self._store.close()
             raise
-        self._now_s = 0.0
         self._following: Following | None = None
         self._run(lambda: self._parts.link.connected, CONNECT_S)
 
@@ -66,12 +65,12 @@ class Here:
         self._store.close()
 
     def _run(self, until: Callable[[], bool], at_most_s: float) -> None:
-        end_s = self._now_s + at_most_s
+        link, cycle = self._parts.link, self._parts.cycle
+        end_s = link.now_s + at_most_s
         while True:
-            self._now_s += STEP_S
-            self._parts.link.advance(STEP_S)
-            self._parts.cycle.step(self._now_s)
-            if until() or self._now_s >= end_s:
+            link.advance(STEP_S)
+            cycle.step(link.now_s)
+            if until() or link.now_s >= end_s:
                 return
 
     def _emit(self, event: events.Event) -> None:

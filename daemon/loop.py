@@ -40,6 +40,10 @@ class Wire(Protocol):
         """Up and armed."""
 
     @property
+    def detail(self) -> str:
+        """Its state in words."""
+
+    @property
     def stop_epoch(self) -> int:
         """Count of stops."""
 
@@ -265,7 +269,7 @@ class Cycle:
     def _watch_link(self, now_s: float) -> None:
         if self._link.connected != self._up:
             self._up = self._link.connected
-            self._emit(events.Link(t=now_s, up=self._up))
+            self._emit(events.Link(t=now_s, up=self._up, detail=self._link.detail))
 
     def _watch_pose(self, now_s: float, *, told: bool) -> None:
         """At the end of every action, and now and then while something moves."""

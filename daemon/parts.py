@@ -18,6 +18,8 @@ from daemon.speaking.voice import Voice
 from daemon.store import Loaded, Store
 from daemon.writer import AtOnce, Keeper
 from kernel.bodies import registry
+from kernel.bodies.forklift import scene
+from kernel.bodies.forklift.scene import Scene
 from kernel.memory.lesson import Lesson
 from kernel.mind import Mind
 
@@ -63,8 +65,8 @@ def assemble(
     """For the daemon: the link opens a port once it is served.
 
     Raises:
-        ValueError: the robot's address means nothing.
-        OSError: the scene cannot be read.
+        PortError: the robot's address means nothing.
+        SceneError, OSError: the scene cannot be read.
     """
     link = open_link(config.robot.uri, scene=_scene(config))
     loaded = store.load()
@@ -96,5 +98,7 @@ def body_name(uri: str) -> str:
     return "forklift"
 
 
-def _scene(config: Config) -> str:
-    return Path(config.robot.scene).read_text(encoding="utf-8") if config.robot.scene else ""
+def _scene(config: Config) -> Scene | None:
+    if not config.robot.scene:
+        return None
+    return scene.read(Path(config.robot.scene).read_text(encoding="utf-8"))

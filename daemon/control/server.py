@@ -74,6 +74,7 @@ class ControlServer:
         before = os.umask(MODE_MASK)
         try:
             bound.bind(str(self._path))
+            bound.listen()
         except OSError:
             bound.close()
             raise
@@ -160,6 +161,9 @@ class _Talk:
         if not self._may():
             self.answer(Wrong(id=request.id, error="too many requests; wait a second"))
             return
+        if isinstance(request, messages.Status):
+            self.answer(Told(id=request.id, facts=self._desk.status()))
+            return
         if len(self._running) >= AT_ONCE:
             self.answer(Wrong(id=request.id, error=f"at most {AT_ONCE} requests at a time"))
             return
@@ -167,13 +171,9 @@ class _Talk:
         self._running.add(task)
         task.add_done_callback(self._running.discard)
 
-    async def _run(self, request: messages.AnyRequest) -> None:
-        unsubscribe = (
-            None
-            if isinstance(request, messages.Status)
-            else self._desk.subscribe(
-                lambda event: self.answer(Happened(id=request.id, event=events.as_dict(event)))
-            )
+    async def _run(self, request: messages.Say | messages.Hear | messages.Watch) -> None:
+        unsubscribe = self._desk.subscribe(
+            lambda event: self.answer(Happened(id=request.id, event=events.as_dict(event)))
         )
         try:
             match request:
@@ -183,15 +183,12 @@ class _Talk:
                 case messages.Hear(path=path, speaker=speaker):
                     outcome = await self._desk.hear(Path(path), speaker, self._source)
                     self.answer(Done(id=request.id, outcome=outcome))
-                case messages.Status():
-                    self.answer(Told(id=request.id, facts=self._desk.status()))
                 case messages.Watch():
                     await asyncio.get_running_loop().create_future()
         except (OSError, ValueError) as error:
             self.answer(Wrong(id=request.id, error=str(error)))
         finally:
-            if unsubscribe is not None:
-                unsubscribe()
+            unsubscribe()
 
     def _may(self) -> bool:
         now_s = asyncio.get_running_loop().time()

@@ -1,0 +1,246 @@
+"""The control socket, with a real server and real clients: what is malformed gets an error and changes nothing."""
+
+from __future__ import annotations
+
+import asyncio
+import json
+import os
+import stat
+import tempfile
+from collections.abc import AsyncIterator, Callable, Iterator
+from contextlib import suppress
+from pathlib import Path
+
+import pytest
+
+from daemon import events
+from daemon.control import messages
+from daemon.control.client import Client, ControlError
+from daemon.control.messages import Done, Happened, OutcomeWord, Told
+from daemon.control.server import AT_ONCE, CONNECTIONS, ControlServer, SocketTakenError
+
+
+class RecordingDesk:
+    """Takes notes of what it is asked to do."""
+
+    def __init__(self) -> None:
+        self.asked: list[tuple[str, ...]] = []
+        self.watchers: list[Callable[[events.Event], None]] = []
+        self.hold: asyncio.Event | None = None
+
+    def subscribe(self, see: Callable[[events.Event], None]) -> Callable[[], None]:
+        self.watchers.append(see)
+        return lambda: self.watchers.remove(see)
+
+    async def say(self, text: str, speaker: str, source: str) -> OutcomeWord:
+        self.asked.append(("say", text, speaker, source))
+        for see in self.watchers:
+            see(events.Heard(t=1.0, text=text))
+        if self.hold is not None:
+            await self.hold.wait()
+        return "done"
+
+    async def hear(self, path: Path, speaker: str, source: str) -> OutcomeWord:
+        self.asked.append(("hear", str(path)))
+        raise FileNotFoundError(2, "No such file", str(path))
+
+    def stop(self, source: str) -> int:
+        self.asked.append(("stop", source))
+        return 3
+
+    def status(self) -> dict[str, object]:
+        return {"link": "up"}
+
+
+@pytest.fixture
+def path() -> Iterator[Path]:
+    with tempfile.TemporaryDirectory(prefix="sayso-") as folder:
+        yield Path(folder) / "run" / "control.sock"
+
+
+@pytest.fixture
+def desk() -> RecordingDesk:
+    return RecordingDesk()
+
+
+@pytest.fixture
+async def served(path: Path, desk: RecordingDesk) -> AsyncIterator[Path]:
+    server = ControlServer(path, desk)
+    task = asyncio.create_task(server.serve(server.bind()))
+    yield path
+    task.cancel()
+    with suppress(asyncio.CancelledError):
+        await task
+    assert mode(path) is None
+
+
+def mode(path: Path) -> int | None:
+    """The socket's permissions, None where it is not there."""
+    return stat.S_IMODE(path.stat().st_mode) if path.exists() else None
+
+
+async def until(condition: Callable[[], bool]) -> None:
+    async with asyncio.timeout(2):
+        while not condition():  # noqa: ASYNC110 - nothing announces it
+            await asyncio.sleep(0.001)
+
+
+async def talk(path: Path, *lines: bytes) -> list[dict[str, object]]:
+    """Send lines, close the sending side, read every answer."""
+    reader, writer = await asyncio.open_unix_connection(str(path))
+    for line in lines:
+        writer.write(line)
+    await writer.drain()
+    answers = []
+    with suppress(TimeoutError):
+        async with asyncio.timeout(0.5):
+            while line := await reader.readline():
+                answers.append(json.loads(line))
+                if len(answers) == len(lines):
+                    break
+    writer.close()
+    return answers
+
+
+def ask(path: Path, request: messages.Request) -> list[messages.AnyAnswer]:
+    with Client(path, answer_s=5) as client:
+        return list(client.ask(request))
+
+
+async def test_a_request_is_answered_with_what_happens_and_what_came_of_it(
+    served: Path, desk: RecordingDesk
+) -> None:
+    request = messages.Say(v=1, id=5, text="dance", speaker="Mary")
+    answers = await asyncio.to_thread(ask, served, request)
+    assert [type(answer) for answer in answers] == [Happened, Done]
+    assert all(answer.id == 5 for answer in answers)
+    assert desk.asked == [("say", "dance", "Mary", f"control uid={os.getuid()}")]
+    assert not desk.watchers
+
+
+async def test_status_and_stop(served: Path, desk: RecordingDesk) -> None:
+    assert await asyncio.to_thread(ask, served, messages.Status(v=1)) == [
+        Told(facts={"link": "up"})
+    ]
+    assert await asyncio.to_thread(ask, served, messages.Stop(v=1)) == [Told(facts={"epoch": 3})]
+    assert desk.asked == [("stop", f"control uid={os.getuid()}")]
+
+
+async def test_a_file_that_is_not_there_is_told(served: Path) -> None:
+    with pytest.raises(ControlError, match="No such file"):
+        await asyncio.to_thread(ask, served, messages.Hear(v=1, path="/nowhere.wav"))
+
+
+MALFORMED = [
+    b"\n",
+    b"dance\n",
+    b"[1, 2]\n",
+    b"{}\n",
+    b'{"v": 1}\n',
+    b'{"v": 2, "do": "stop"}\n',
+    b'{"do": "stop"}\n',
+    b'{"v": 1, "do": "fly"}\n',
+    b'{"v": 1, "do": "say"}\n',
+    b'{"v": 1, "do": "say", "text": ""}\n',
+    b'{"v": 1, "do": "say", "text": 7}\n',
+    b'{"v": 1, "do": "say", "text": "dance", "loud": true}\n',
+    b'{"v": 1, "do": "say", "text": "' + b"x" * 1001 + b'"}\n',
+    b'{"v": 1, "do": "say", "text": "\xff\xfe"}\n',
+    b"\x00\x01\x02\n",
+    b'{"v": 1, "do": "stop"' + b"[" * 5000 + b"\n",
+]
+
+
+@pytest.mark.parametrize("line", MALFORMED, ids=range(len(MALFORMED)))
+async def test_a_malformed_request_gets_an_error_and_changes_nothing(
+    served: Path, desk: RecordingDesk, line: bytes
+) -> None:
+    good = b'{"v": 1, "do": "status"}\n'
+    wrong, told = await talk(served, line, good)
+    assert wrong["is"] == "wrong"
+    assert wrong["error"]
+    assert told["is"] == "told"  # the connection goes on
+    assert desk.asked == []
+
+
+async def test_a_request_without_end_is_refused_and_the_connection_closed(
+    served: Path, desk: RecordingDesk
+) -> None:
+    (answer,) = await talk(served, b'{"v": 1, "do": "say", "text": "' + b"x" * 100_000)
+    assert str(messages.LINE_BYTES) in str(answer["error"])
+    assert desk.asked == []
+
+
+async def test_requests_are_bounded_in_rate_but_stop_never_is(
+    served: Path, desk: RecordingDesk
+) -> None:
+    asked = [b'{"v": 1, "do": "status"}\n'] * (messages.BURST + 20) + [b'{"v": 1, "do": "stop"}\n']
+    answers = await talk(served, *asked)
+    refused = [a for a in answers if a["is"] == "wrong"]
+    assert 15 <= len(refused) <= 20
+    assert "too many requests" in str(refused[0]["error"])
+    assert [kind for kind, *_ in desk.asked] == ["stop"]
+
+
+async def test_stop_on_the_same_connection_does_not_wait_for_an_utterance(
+    served: Path, desk: RecordingDesk
+) -> None:
+    desk.hold = asyncio.Event()
+    say = b'{"v": 1, "id": 1, "do": "say", "text": "dance"}\n'
+    reader, writer = await asyncio.open_unix_connection(str(served))
+    writer.write(say)
+    await reader.readline()
+    writer.write(b'{"v": 1, "id": 2, "do": "stop"}\n')
+    async with asyncio.timeout(2):
+        assert json.loads(await reader.readline()) == {"is": "told", "id": 2, "facts": {"epoch": 3}}
+        desk.hold.set()
+        assert json.loads(await reader.readline())["is"] == "done"
+    writer.close()
+
+
+async def test_so_many_requests_at_a_time_and_no_more(served: Path, desk: RecordingDesk) -> None:
+    desk.hold = asyncio.Event()
+    reader, writer = await asyncio.open_unix_connection(str(served))
+    for number in range(AT_ONCE + 1):
+        writer.write(b'{"v": 1, "id": %d, "do": "say", "text": "dance"}\n' % number)
+    async with asyncio.timeout(2):
+        while (answer := json.loads(await reader.readline()))["is"] == "happened":
+            pass
+    assert answer == {
+        "is": "wrong",
+        "id": AT_ONCE,
+        "error": f"at most {AT_ONCE} requests at a time",
+    }
+    writer.close()
+
+
+async def test_so_many_connections_and_no_more(served: Path) -> None:
+    many = [await asyncio.open_unix_connection(str(served)) for _ in range(CONNECTIONS)]
+    assert (await talk(served, b'{"v": 1, "do": "status"}\n'))[0]["error"] == "too many connections"
+    for _, writer in many:
+        writer.close()
+
+
+async def test_a_client_that_goes_away_is_forgotten(served: Path, desk: RecordingDesk) -> None:
+    desk.hold = asyncio.Event()
+    await talk(served, b'{"v": 1, "do": "watch"}\n', b'{"v": 1, "do": "say", "text": "dance"}\n')
+    await until(lambda: not desk.watchers)
+
+
+async def test_the_socket_is_for_owner_and_group(served: Path) -> None:
+    assert mode(served) == 0o660
+
+
+async def test_a_second_daemon_is_told_that_the_socket_is_taken(
+    served: Path, desk: RecordingDesk
+) -> None:
+    await talk(served, b'{"v": 1, "do": "status"}\n')
+    with pytest.raises(SocketTakenError, match="another sayso answers there"):
+        ControlServer(served, desk).bind()
+    assert mode(served) is not None
+
+
+def test_what_a_killed_daemon_left_behind_is_replaced(path: Path, desk: RecordingDesk) -> None:
+    ControlServer(path, desk).bind().close()
+    assert path.exists()
+    ControlServer(path, desk).bind().close()
