@@ -1,0 +1,25 @@
+"""Errors of the English side."""
+
+from __future__ import annotations
+
+
+class NotUnderstoodError(Exception):
+    """A sentence has no reading.
+
+    Attributes:
+        text: the sentence.
+        understood: how much of its beginning could start a sentence.
+        nearest: a sentence that would work, or None.
+        unknown_words: words that nobody taught, in order.
+    """
+
+    def __init__(
+        self,
+        text: str,
+        understood: str = "",
+        nearest: str | None = None,
+        unknown_words: tuple[str, ...] = (),
+    ) -> None:
+        super().__init__(f"not understood: {text[:80]!r}")
+        self.text, self.understood, self.nearest = text, understood, nearest
+        self.unknown_words = unknown_words

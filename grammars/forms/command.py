@@ -1,0 +1,48 @@
+"""Commands: do it now."""
+
+from __future__ import annotations
+
+from grammars.alist import AList
+from grammars.build import Build
+from grammars.registry import sentence_form
+from kernel.memory.meaning import Command
+
+EXAMPLES = (
+    "drive forward",
+    "go to the kitchen",
+    "pick up the block",
+    "could you back up a little please",
+    "would you mind turning to the left",
+    "turn left twice",
+    "grab the block, then back up",
+    "drive forward and turn right",
+    "say hello three times",
+    "turn left while saying excuse me",
+    "grab the block that is not blue",
+)
+TURNS = frozenset(("left", "right", "clockwise", "counterclockwise", "around"))
+LIFTS = {"up": "raise", "down": "lower"}
+
+
+@sentence_form("command", "command", EXAMPLES)
+def command(alist: AList) -> Command:
+    """A chain to be run at once."""
+    build = Build()
+    bare = alist.find("bare")
+    return Command(build.chain(alist.first("chain") if bare is None else _chain(bare)))
+
+
+def _chain(bare: AList) -> AList:
+    """ "Forward" is driving, "left" is turning, "higher" is raising the lift."""
+    plays = []
+    for part in bare.all("barely"):
+        parts = part.parts or (AList("dir", value=part.value),)
+        way = "up" if part.find("higher") is not None else (parts[0].value or "")
+        verb = "turn" if way in TURNS else LIFTS.get(way, "drive")
+        rest = parts[1:] if verb in LIFTS.values() else parts
+        if verb in LIFTS.values():
+            lift = AList("np", (AList("det", value="the"), AList("ako", value="lift")))
+            rest = (lift, *rest)
+        plays.append(AList("play", (AList("action", (AList("act", value=verb), *rest)),)))
+    inner = [_chain(more) for more in bare.all("bare")]
+    return AList("chain", (*plays, *inner))

@@ -1,0 +1,55 @@
+"""Words for how strongly something is meant, both ways: to numbers for parsing, to words for reading back.
+
+Source: Connell 2019, section 4.1 (could 0.8, plain 1.0, must always 1.2); the other values are ours (docs/net.md).
+"""
+
+from __future__ import annotations
+
+from typing import Final
+
+PREFERENCE: Final = {
+    "must always": 1.2,
+    "must": 1.1,
+    "always": 1.1,
+    "should always": 1.1,
+    "should": 1.0,
+    "can": 1.0,
+    "could": 0.8,
+    "might": 0.6,
+    "might want to": 0.6,
+    "may": 0.6,
+    "maybe": 0.6,
+    "perhaps": 0.6,
+}
+
+BELIEF: Final = {
+    "definitely": 1.0,
+    "always": 1.0,
+    "certainly": 1.0,
+    "usually": 0.8,
+    "generally": 0.8,
+    "normally": 0.8,
+    "often": 0.8,
+    "typically": 0.8,
+    "mostly": 0.8,
+    "probably": 0.7,
+    "likely": 0.7,
+    "sometimes": 0.5,
+    "may": 0.5,
+    "might": 0.5,
+    "possibly": 0.5,
+    "perhaps": 0.5,
+    "rarely": 0.2,
+    "seldom": 0.2,
+    "hardly ever": 0.2,
+}
+
+
+def preference(words: str) -> float:
+    """Preference of a wording; 1.0 for none."""
+    return PREFERENCE.get(words, 1.0)
+
+
+def belief(words: str) -> float:
+    """Belief of a wording; 1.0 for none."""
+    return BELIEF.get(words, 1.0)

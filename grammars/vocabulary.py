@@ -1,0 +1,190 @@
+"""Words and their categories. A category is a terminal of the grammar; a word may be in several.
+
+What the robot is born with stands in `words/*.txt`; what it is taught is added by `from_policy`, without copying, so
+that the size of the lexicon costs nothing.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import dataclass, field
+from functools import cached_property
+from importlib.resources import files
+from typing import Final
+
+from grammars import morphology
+from kernel.memory.lesson import Lesson, Operator, Rule
+from kernel.net.graphlet import Graphlet, Term
+
+Readings = dict[str, str]  # category: lemma
+Lexicon = dict[str, Readings]
+
+OPEN: Final = ("VERB", "NOUN", "NOUNS", "ADJ", "ADV", "DIR", "PROPER", "STATE", "VERBING")
+
+
+def lines(name: str) -> Iterator[str]:
+    """Lines of a word file without comments."""
+    text = files("grammars").joinpath("words", f"{name}.txt").read_text(encoding="utf8")
+    for line in text.splitlines():
+        if line.strip() and not line.startswith("#"):
+            yield line.strip()
+
+
+def _entries(name: str) -> Iterator[tuple[str, str]]:
+    """Word and lemma of a file of `word` or `word=lemma` entries."""
+    for line in lines(name):
+        for entry in line.split():
+            word, _, lemma = entry.partition("=")
+            yield word, lemma or word
+
+
+def _add(lexicon: Lexicon, word: str, category: str, lemma: str) -> None:
+    lexicon.setdefault(word, {}).setdefault(category, lemma)
+
+
+def _verb(lexicon: Lexicon, verb: str) -> None:
+    _add(lexicon, verb, "VERB", verb)
+    _add(lexicon, morphology.third_person(verb), "VERBS", verb)
+    _add(lexicon, morphology.gerund(verb), "VERBING", verb)
+    _add(lexicon, morphology.past(verb), "VERBED", verb)
+    _add(lexicon, morphology.participle(verb), "VERBED", verb)
+
+
+def _state(lexicon: Lexicon, verb: str) -> None:
+    _add(lexicon, verb, "STATE", verb)
+    _add(lexicon, morphology.third_person(verb), "STATES", verb)
+    _add(lexicon, morphology.gerund(verb), "VERBING", verb)
+    _add(lexicon, morphology.past(verb), "VERBED", verb)
+
+
+def _noun(lexicon: Lexicon, noun: str) -> None:
+    _add(lexicon, noun, "NOUN", noun)
+    _add(lexicon, morphology.plural(noun), "NOUNS", noun)
+
+
+def _adjective(lexicon: Lexicon, adjective: str) -> None:
+    _add(lexicon, adjective, "ADJ", adjective)
+    for form, category in (("comparative", "ADJER"), ("superlative", "ADJEST")):
+        word = getattr(morphology, form)(adjective)
+        if " " not in word:
+            _add(lexicon, word, category, adjective)
+
+
+def _born() -> Lexicon:
+    lexicon: Lexicon = {}
+    for files_of, add in (("verbs", _verb), ("states", _state), ("nouns", _noun)):
+        for word, _ in _entries(files_of):
+            add(lexicon, word)
+    for word, _ in _entries("adjectives"):
+        _adjective(lexicon, word)
+    for category, name in (
+        ("DIR", "directions"),
+        ("ADV", "manners"),
+        ("DEG", "degrees"),
+        ("UNIT", "units"),
+        ("PREP", "prepositions"),
+        ("PROPER", "names"),
+        ("ORD", "ordinals"),
+        ("GIVE", "givers"),
+    ):
+        for word, lemma in _entries(name):
+            _add(lexicon, word, category, lemma)
+    return lexicon
+
+
+@dataclass(frozen=True)
+class Vocabulary:
+    """Words the robot knows.
+
+    Attributes:
+        born: words by category, shared by all vocabularies.
+        taught: words of lessons.
+    """
+
+    born: Mapping[str, Readings] = field(default_factory=_born, repr=False)
+    taught: Mapping[str, Readings] = field(default_factory=dict)
+
+    def readings(self, word: str) -> Readings:
+        """Categories of a word, each with its lemma; empty for a word nobody taught."""
+        known, more = self.born.get(word, {}), self.taught.get(word)
+        return {**known, **more} if more else dict(known)
+
+    def knows(self, word: str) -> bool:
+        """The word has a category."""
+        return word in self.born or word in self.taught
+
+    def words(self, category: str) -> frozenset[str]:
+        """Every word of a category, as it may be said."""
+        return frozenset(
+            word
+            for lexicon in (self.born, self.taught)
+            for word, readings in lexicon.items()
+            if category in readings
+        )
+
+    @cached_property
+    def everything(self) -> tuple[str, ...]:
+        """All words, sorted."""
+        return tuple(sorted({*self.born, *self.taught}))
+
+
+BORN: Final = Vocabulary()
+
+
+def from_policy(lessons: Iterable[Lesson]) -> Vocabulary:
+    """The vocabulary after these lessons: what they mention, in the category they mention it in."""
+    taught: Lexicon = {}
+    for lesson in lessons:
+        for graphlet in _graphlets(lesson):
+            for term in graphlet:
+                for word in term.lex:
+                    if " " not in word:
+                        _teach(taught, word, term)
+        if lesson.kind == "alias" and isinstance(lesson.content, Rule):
+            _alias(taught, lesson.content)
+    return Vocabulary(BORN.born, taught)
+
+
+def _graphlets(lesson: Lesson) -> Iterator[Graphlet]:
+    content = lesson.content
+    if isinstance(content, Graphlet):
+        yield content
+    elif isinstance(content, Rule):
+        yield from (content.condition, content.conclusion, *content.unless)
+    elif isinstance(content, Operator):
+        directives = (content.trigger, *content.chain.directives())
+        yield from (d.graphlet for d in directives if d.graphlet is not None)
+        yield from (*content.enablement, *content.unless)
+
+
+def _teach(taught: Lexicon, word: str, term: Term) -> None:
+    """Add the word in the category of its term, unless it is there already."""
+    roles = {role for role, _ in term.links}
+    for role, kind, category, add in (
+        ("ako", "ako", "NOUN", _noun),
+        ("hq", "hq", "ADJ", _adjective),
+        ("", "act", "VERB", _verb),
+    ):
+        if role in roles or (term.kind == kind and not roles & {"ako", "hq", "dir", "mod"}):
+            known = BORN.born.get(word, {})
+            if category not in known and not (category == "VERB" and "STATE" in known):
+                add(taught, word)
+            return
+    category = "DIR" if "dir" in roles else "ADV" if "mod" in roles else ""
+    if term.kind == "obj":
+        category = "PROPER" if word not in ("you", "me") else ""
+    elif term.kind in ("dir", "mod"):
+        category = "DIR" if term.kind == "dir" else "ADV"
+    if category and category not in BORN.born.get(word, {}):
+        _add(taught, word, category, word)
+
+
+def _alias(taught: Lexicon, rule: Rule) -> None:
+    """A word of unknown category that means a known one has the known one's categories."""
+    for new in rule.condition.words():
+        for old in rule.conclusion.words():
+            for category, _ in BORN.readings(old).items():
+                if not BORN.knows(new) and category in OPEN and not taught.get(new):
+                    _teach(
+                        taught, new, Term({"VERB": "act-1", "DIR": "dir-1"}.get(category, "x-1"))
+                    )
