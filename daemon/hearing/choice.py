@@ -1,0 +1,55 @@
+"""Which engine hears: as configured, or the best there is."""
+
+from __future__ import annotations
+
+import os
+from dataclasses import dataclass
+from pathlib import Path
+
+from daemon.hearing.recogniser import UnknownEngineError, engines
+from daemon.hearing.trust import Thresholds
+
+THRESHOLDS = {
+    "vosk": Thresholds(outside=0.5, unsure=0.5),
+    "pocketsphinx": Thresholds(outside=0.0, unsure=0.0),
+}
+BETTER = "vosk"
+OFFICIAL = "vosk-model*-en-*"
+"""How the official English models are called."""
+MODEL_VARIABLE = "SAYSO_VOSK_MODEL"
+
+
+@dataclass(frozen=True, slots=True)
+class Engine:
+    """An engine with its model, "" for the one that comes with Sayso, and the thresholds measured for it."""
+
+    name: str
+    model: str = ""
+
+    @property
+    def thresholds(self) -> Thresholds:
+        """Of this engine."""
+        return THRESHOLDS[self.name]
+
+
+def choose_engine(configured: str, model: str, folders: tuple[Path, ...]) -> Engine:
+    """Choose the engine.
+
+    Args:
+        configured: an engine's name, or "auto": an installed official Vosk model if there is one, else the better of
+            the two that come with Sayso.
+        model: path of a model, "" for none; SAYSO_VOSK_MODEL stands in for it where the engine is Vosk.
+        folders: where official models are installed.
+
+    Raises:
+        UnknownEngineError: there is no engine of that name.
+    """
+    vosk_model = model or os.environ.get(MODEL_VARIABLE, "")
+    if configured == "auto":
+        if not vosk_model:
+            found = sorted(path for folder in folders for path in folder.glob(OFFICIAL))
+            vosk_model = str(found[0]) if found else ""
+        return Engine("vosk", vosk_model) if vosk_model else Engine(BETTER)
+    if configured not in engines():
+        raise UnknownEngineError(configured)
+    return Engine(configured, vosk_model if configured == "vosk" else model)

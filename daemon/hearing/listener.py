@@ -1,0 +1,191 @@
+"""The ear's core: sound in, events out. No clock: time is the number of samples heard, so it is the same in real time
+and in virtual time."""
+
+from __future__ import annotations
+
+from collections import deque
+from collections.abc import Iterator
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from daemon.hearing import endpoint
+from daemon.hearing.events import CoreEvent, Ended, NotHeard, Partial, StopWord
+from daemon.hearing.recogniser import Recogniser, Samples
+from daemon.hearing.stop_spotter import StopSpotter
+from daemon.hearing.voice_activity import FRAME, FRAME_S, VoiceActivity
+from grammars.automaton import Automaton
+
+LOOK_EVERY = 3
+"""Frames between two looks at the hypothesis: 60 ms, to find "stop" in time."""
+LEAD_S = 0.3
+"""Sound kept from before the speech began: soft first consonants."""
+TRAIL_S = 0.5
+"""Silence the engine hears after a word; longer pauses are cut to this and the lead before the next word."""
+PAUSE_S = 0.3
+"""Silence after which the next word is also heard by itself, in case it is "stop"."""
+CLICK_S = 0.1
+"""After so much silence one loud frame alone is a click, no speech."""
+
+
+@dataclass
+class _Utterance:
+    """What is being said."""
+
+    began_s: float
+    joined: bool
+    sound: list[Samples]
+    text: str = ""
+    changed_s: float = 0.0
+    spoken_s: float = 0.0
+    gated: bool = False
+    again: bool = False
+    frames: int = 0
+    unfed: deque[Samples] = field(default_factory=lambda: deque(maxlen=round(LEAD_S / FRAME_S)))
+
+
+class Listener:
+    """Takes sound in order, any number of samples at a time.
+
+    Args:
+        engine: hears whole utterances.
+        spare: another of the same kind: hears what follows a pause by itself, so that a "stop" in the middle of a
+            halting lesson stops.
+        language: what may be said.
+        robot_name: may stand before or after a stop word.
+    """
+
+    def __init__(
+        self, engine: Recogniser, spare: Recogniser, language: Automaton, robot_name: str = "robot"
+    ) -> None:
+        self._engine, self._spare = engine, spare
+        self._activity = VoiceActivity()
+        self._spotter = StopSpotter(robot_name)
+        self._rest: Samples = np.zeros(0, np.int16)
+        self._heard_frames = 0
+        self._lead: deque[Samples] = deque(maxlen=round(LEAD_S / FRAME_S))
+        self._utterance: _Utterance | None = None
+        self._unfinished: _Utterance | None = None
+        self._lesson_ended_s = -endpoint.JOIN_S
+        self.unheard: tuple[str, ...] = ()
+        self.set_language(language)
+
+    @property
+    def now_s(self) -> float:
+        """Audio time: how much has been heard."""
+        return self._heard_frames * FRAME_S
+
+    @property
+    def idle(self) -> bool:
+        """Whether nothing is being said and nothing waits to be finished."""
+        return self._utterance is None and self._unfinished is None
+
+    def set_language(self, language: Automaton) -> None:
+        """Take a new language; call only when idle. Its words that the engine cannot hear are then in `unheard`."""
+        self._language = language
+        self._spare.set_grammar(language)
+        self.unheard = self._engine.set_grammar(language)
+
+    def hear(self, samples: Samples, gated: bool = False) -> Iterator[CoreEvent]:
+        """Hear some more; gated while the robot itself speaks: then only a stop word counts."""
+        self._rest = np.concatenate([self._rest, samples])
+        while len(self._rest) >= FRAME:
+            frame, self._rest = self._rest[:FRAME], self._rest[FRAME:]
+            self._heard_frames += 1
+            loud = self._activity.loud(frame)
+            if self._utterance is None:
+                yield from self._wait(frame)
+            else:
+                yield from self._follow(self._utterance, frame, loud, gated)
+
+    def _wait(self, frame: Samples) -> Iterator[CoreEvent]:
+        self._lead.append(frame)
+        if self._activity.begun:
+            self._begin()
+            return
+        held = self._unfinished
+        if held and self.now_s - held.spoken_s >= endpoint.LONG_WAIT_S + endpoint.JOIN_S:
+            self._unfinished = None
+            yield NotHeard(held.began_s, held.spoken_s, self.now_s, "unfinished", held.text)
+
+    def _begin(self) -> None:
+        """Speech begins. What goes on from an unfinished utterance is heard together with it, from its sound."""
+        held, self._unfinished = self._unfinished, None
+        began_s = held.began_s if held else self.now_s - len(self._lead) * FRAME_S
+        sound = [*(held.sound if held else ()), *self._lead]
+        self._utterance = _Utterance(began_s, held is not None, sound, spoken_s=self.now_s)
+        self._engine.reset()
+        for frame in sound:
+            self._engine.feed(frame)
+        if held:
+            self._hear_apart(self._utterance, self._lead)
+        self._spotter.reset()
+        self._lead.clear()
+
+    def _hear_apart(self, utterance: _Utterance, lead: deque[Samples]) -> None:
+        utterance.again = True
+        self._spotter.reset()
+        self._spare.reset()
+        for frame in lead:
+            self._spare.feed(frame)
+
+    def _follow(
+        self, utterance: _Utterance, frame: Samples, loud: bool, gated: bool
+    ) -> Iterator[CoreEvent]:
+        utterance.gated |= gated
+        silence_s = self.now_s - utterance.spoken_s
+        if loud and (silence_s <= CLICK_S or self._activity.begun):
+            if silence_s >= PAUSE_S:
+                self._hear_apart(utterance, utterance.unfed)
+            utterance.spoken_s = self.now_s
+        utterance.unfed.append(frame)
+        if self.now_s - utterance.spoken_s <= TRAIL_S:
+            if silence_s > TRAIL_S:
+                self._feed(utterance, *utterance.unfed)
+            else:
+                self._feed(utterance, frame)
+        utterance.frames += 1
+        if utterance.frames % LOOK_EVERY == 0:
+            yield from self._look(utterance)
+
+    def _feed(self, utterance: _Utterance, *frames: Samples) -> None:
+        utterance.sound.extend(frames)
+        for frame in frames:
+            self._engine.feed(frame)
+            if utterance.again:
+                self._spare.feed(frame)
+
+    def _look(self, utterance: _Utterance) -> Iterator[CoreEvent]:
+        text = self._engine.partial()
+        if text != utterance.text:
+            utterance.text, utterance.changed_s = text, self.now_s
+            if text and not utterance.gated:
+                yield Partial(self.now_s, text)
+        if word := self._spotter.heard(self._spare.partial() if utterance.again else text):
+            yield StopWord(self.now_s, word)
+        wait_s = endpoint.wait_s(text, self._language)
+        settled_s = endpoint.SETTLED_S * (1 if wait_s == endpoint.SHORT_WAIT_S else 2)
+        settled = (
+            self._language.accepts(text.split()) and self.now_s - utterance.changed_s >= settled_s
+        )
+        too_long = self.now_s - utterance.began_s >= endpoint.LONGEST_S
+        if self.now_s - utterance.spoken_s >= wait_s or settled or too_long:
+            yield from self._end(utterance, too_long)
+
+    def _end(self, utterance: _Utterance, cut: bool) -> Iterator[CoreEvent]:
+        self._utterance = None
+        found = self._engine.final()
+        if utterance.gated:
+            return
+        times = (utterance.began_s, utterance.spoken_s, self.now_s)
+        if not cut and endpoint.is_unfinished(utterance.text, self._language):
+            self._unfinished = utterance
+            return
+        best = found[0].text if found else utterance.text
+        if endpoint.is_continuation(best) and times[0] - self._lesson_ended_s < endpoint.JOIN_S:
+            self._lesson_ended_s = self.now_s
+            yield NotHeard(*times, "fragment", best)
+            return
+        if endpoint.is_open(best):
+            self._lesson_ended_s = self.now_s
+        yield Ended(*times, tuple((text, confidence) for text, confidence in found), cut)

@@ -1,0 +1,174 @@
+"""Vosk: the owner's engine. Any model with run-time grammars; a small one comes with Sayso.
+
+Its phrase list is only a bigram with backoff (any order of the words passes, at a cost), so it is asked for many
+alternatives, and the language says which of them are sentences. What is not in the language shows as [unk], and as a
+best alternative that is no sentence: the confidence is the margin over it.
+"""
+
+from __future__ import annotations
+
+import json
+import math
+import tempfile
+from collections.abc import Iterator
+from pathlib import Path
+
+import vosk
+
+from daemon.hearing.recogniser import RATE_HZ, Alternative, EngineError, Samples
+from grammars.automaton import Automaton, cover, restrict
+
+SHIPPED = Path(__file__).parent / "models" / "vosk-tiny"
+ALTERNATIVES = 20
+UNKNOWN = "[unk]"
+UNKNOWN_SHARE = 20
+"""One [unk] for so many phrases: with a single one, its share of the bigram vanishes as the list grows."""
+
+OVERLAY = """--endpoint.rule1.min-trailing-silence=1000
+--endpoint.rule2.min-trailing-silence=1000
+--endpoint.rule3.min-trailing-silence=1000
+--endpoint.rule4.min-trailing-silence=1000
+--endpoint.rule5.min-utterance-length=1000
+--frames-per-chunk=6
+"""
+"""Never an end of speech of its own accord, that is the listener's; and hypotheses every 60 ms instead of every 210,
+which the stop spotter needs."""
+
+
+class ModelError(EngineError):
+    """A Vosk model that cannot be used."""
+
+
+def load(model: str) -> tuple[VoskRecogniser, VoskRecogniser]:
+    """Load a model folder, or the shipped model for "": two recognisers that share it.
+
+    Raises:
+        ModelError: there is no such folder, it is no Vosk model, or it takes no grammars.
+    """
+    path = Path(model) if model else SHIPPED
+    check(path)
+    vosk.SetLogLevel(-1)
+    with tempfile.TemporaryDirectory(prefix="sayso-model-") as folder:
+        overlay(path, Path(folder))
+        try:
+            loaded = vosk.Model(folder)
+        except Exception as error:  # the binding raises nothing narrower
+            raise ModelError(f"{path}: Vosk cannot load this model") from error
+    return VoskRecogniser(loaded), VoskRecogniser(loaded)
+
+
+class VoskRecogniser:
+    """The Recogniser on Vosk."""
+
+    def __init__(self, model: vosk.Model) -> None:
+        self._model = model
+        self._recogniser: vosk.KaldiRecognizer | None = None
+        self._language = Automaton(0, frozenset(), ())
+        self._joined: dict[str, str] = {}
+
+    def set_grammar(self, language: Automaton) -> tuple[str, ...]:
+        """See Recogniser. Words the model lacks are spelled by their parts ("cha-cha"), or left out and returned."""
+        self._joined = {}
+        unheard = []
+        for word in sorted(language.words):
+            parts = word.replace("-", " ")
+            if self._knows(word):
+                continue
+            if " " in parts and all(self._knows(part) for part in parts.split()):
+                self._joined[parts] = word
+            else:
+                unheard.append(word)
+        self._language = restrict(language, language.words.difference(unheard))
+        phrases = [self._spelled(phrase) for phrase in cover(self._language)]
+        grammar = phrases + [UNKNOWN] * (1 + len(phrases) // UNKNOWN_SHARE)
+        self._recogniser = vosk.KaldiRecognizer(self._model, float(RATE_HZ), json.dumps(grammar))
+        self._recogniser.SetMaxAlternatives(ALTERNATIVES)
+        return tuple(unheard)
+
+    def reset(self) -> None:
+        """See Recogniser."""
+        self._engine.Reset()
+
+    def feed(self, samples: Samples) -> None:
+        """See Recogniser."""
+        self._engine.AcceptWaveform(samples.tobytes())
+
+    def partial(self) -> str:
+        """See Recogniser."""
+        return self._read(json.loads(self._engine.PartialResult()).get("partial", ""))
+
+    def final(self) -> tuple[Alternative, ...]:
+        """See Recogniser."""
+        result = json.loads(self._engine.FinalResult())
+        scored = [
+            (self._read(found["text"]), float(found["confidence"]))
+            for found in result["alternatives"]
+        ]
+        return tuple(self._trusted(scored))
+
+    def _trusted(self, scored: list[tuple[str, float]]) -> Iterator[Alternative]:
+        """Confidence from the margin, in nats, over the best alternative that is no sentence."""
+        others = [score for text, score in scored if not self._language.accepts(text.split())]
+        for text, score in scored:
+            if text:
+                margin = score - max(others, default=score - 10.0)
+                yield Alternative(text, 1.0 / (1.0 + math.exp(-margin)))
+
+    @property
+    def _engine(self) -> vosk.KaldiRecognizer:
+        if self._recogniser is None:
+            raise EngineError("no grammar was set")
+        return self._recogniser
+
+    def _knows(self, word: str) -> bool:
+        return bool(self._model.vosk_model_find_word(word) >= 0)
+
+    def _spelled(self, phrase: str) -> str:
+        words = {word: parts for parts, word in self._joined.items()}
+        return " ".join(words.get(word, word) for word in phrase.split())
+
+    def _read(self, text: str) -> str:
+        for parts, word in self._joined.items():
+            text = f" {text} ".replace(f" {parts} ", f" {word} ").strip()
+        return text
+
+
+def check(path: Path) -> None:
+    """Look at a model before Vosk does, which is curt or worse.
+
+    Raises:
+        ModelError: see load.
+    """
+    if not path.is_dir():
+        raise ModelError(f"{path}: there is no such folder")
+    if not any(path.rglob("final.mdl")):
+        raise ModelError(f"{path}: this is no Vosk model (no final.mdl in it)")
+    if not any(path.rglob("HCLr.fst")):
+        raise ModelError(
+            f"{path}: this model has a fixed graph (HCLG.fst) and takes no grammars; use one of Vosk's small models"
+        )
+
+
+def overlay(model: Path, folder: Path) -> None:
+    """Make a folder that is the model with our endpoint settings; the model itself stays as it is."""
+    for entry in model.iterdir():
+        if entry.name != "conf":
+            (folder / entry.name).symlink_to(entry.resolve())
+    settings = model / "conf"
+    if not settings.is_dir():
+        return
+    (folder / "conf").mkdir()
+    for entry in settings.iterdir():
+        if entry.name != "model.conf":
+            (folder / "conf" / entry.name).symlink_to(entry.resolve())
+    own = (
+        (settings / "model.conf").read_text(encoding="utf-8")
+        if (settings / "model.conf").is_file()
+        else ""
+    )
+    kept = [
+        line
+        for line in own.splitlines()
+        if "endpoint.rule" not in line and "frames-per-chunk" not in line
+    ]
+    (folder / "conf" / "model.conf").write_text("\n".join(kept) + "\n" + OVERLAY, encoding="utf-8")
