@@ -28,7 +28,8 @@ from kernel.memory.meaning import (
 )
 from kernel.memory.reply import FactTaken, Greeted, Met, NotYet
 from kernel.net.graphlet import Graphlet
-from kernel.net.node import Node, instantiate
+from kernel.net.match import Binding
+from kernel.net.node import Node
 from kernel.running import Frame
 from kernel.stepping import RunningStep
 
@@ -51,9 +52,34 @@ def attend(mind: Listener, commons: Commons, focus: Focus) -> Run:
     words = ("ask",) if isinstance(heard.meaning, Question) else ("tell", "ask")
     focus.speech_act = memory.net.new("input", *words, agt=memory.user, dest=memory.me)
     focus.nodes[focus.speech_act] = None
+    if isinstance(heard.meaning, Command):
+        _quote(commons, focus, heard.meaning)
     memory.changed()
     yield from noted(commons, focus, (focus.speech_act,))
     return (yield from _content(mind, commons, focus, heard))
+
+
+def _quote(commons: Commons, focus: Focus, command: Command) -> None:
+    """What was said, as nodes of its own: so "if Rick tells you to grab a ball" can be noticed before any look-up.
+
+    Their kind is "said": FIND never takes them for things.
+    """
+    memory = commons.memory
+    binding: Binding = {}
+    known: set[str] = set()
+    for directive in command.chain.directives():
+        graphlet = directive.graphlet
+        if graphlet is None:
+            continue
+        quoted = graphlet.renamed({n: f"said-{n.rpartition('-')[2]}" for n in graphlet.mentioned})
+        before = memory.persons(quoted, binding)
+        known |= set(before) - set(binding)
+        binding = memory.instantiate(quoted, before)
+        if directive.tag == "DO" and focus.speech_act is not None:
+            memory.net.link(focus.speech_act, "cmd", binding[quoted.main])
+    for name, node in binding.items():
+        if name not in known:
+            focus.nodes[node] = None
 
 
 def notice(
@@ -61,9 +87,9 @@ def notice(
 ) -> Run:
     """React to what the senses report: facts that are held already, or a passing event."""
     if fact is not None:
-        bound = instantiate(commons.memory.net, fact, {})
-        nodes = tuple(bound.values())
-        commons.memory.changed()
+        known = commons.memory.persons(fact, {})
+        bound = commons.memory.instantiate(fact, known)
+        nodes = tuple(node for name, node in bound.items() if name not in known)
     for node in nodes:
         focus.nodes[node] = None
     return (yield from noted(commons, focus, nodes))

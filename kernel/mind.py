@@ -10,7 +10,7 @@ from collections.abc import Callable, Iterable
 from typing import Final
 
 from kernel.action.arbiter import PATIENCE_S, arbitrate
-from kernel.action.call import GROUNDINGS, Bid
+from kernel.action.call import GROUNDINGS, Bid, Halt
 from kernel.action.chain import Directive, sequence
 from kernel.action.discover import load_all
 from kernel.action.sensing import SENSES
@@ -196,7 +196,12 @@ class Mind:
     def _arbitrate(self, now_s: float) -> tuple[Bid, ...]:
         """Rule on this tick's claims; those who wait too long, or are taken over too often, are struck."""
         commons = self._commons
-        ruling = arbitrate(commons.claims)
+        halts = [c for c in commons.claims if isinstance(c.bid.command, Halt)]
+        motions = [c for c in commons.claims if c not in halts]
+        if halts:
+            commons.struck |= {claim.bid.ticket: "stopped" for claim in motions}
+            motions = []
+        ruling = arbitrate(motions)
         for ticket in ruling.conflicts:
             commons.struck[ticket] = "conflict"
         waiting = {}

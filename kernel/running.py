@@ -12,10 +12,9 @@ from kernel.memory.attention import Failure, Focus
 from kernel.memory.lesson import Lesson
 from kernel.memory.recall import may_assume, missing, referents
 from kernel.memory.reply import Reason
-from kernel.memory.working import WorkingMemory
 from kernel.net.graphlet import Graphlet
 from kernel.net.match import Binding
-from kernel.net.node import Node, instantiate
+from kernel.net.node import Node
 from kernel.stepping import RunningStep
 
 
@@ -117,17 +116,11 @@ class Frame:
 
     def instantiate(self, graphlet: Graphlet) -> Binding:
         """Nodes for the graphlet, made on behalf of the focus."""
-        memory = self.commons.memory
-        bound = instantiate(memory.net, graphlet, self.binding)
+        known = self.commons.memory.persons(graphlet, self.binding)
+        bound = self.commons.memory.instantiate(graphlet, known)
         for name, node in bound.items():
-            if name not in self.binding:
+            if name not in known:
                 self.focus.nodes[node] = None
-                for term in graphlet.terms:
-                    if term.name == name and "you" in term.lex:
-                        _merge(memory, bound, name, memory.me)
-                    elif term.name == name and "me" in term.lex:
-                        _merge(memory, bound, name, memory.user)
-        memory.changed()
         return bound
 
     def explain(self, reason: Reason, act: Node | None, detail: str = "") -> None:
@@ -138,17 +131,6 @@ class Frame:
     def within_operator(self, binding: Binding, lesson: Lesson) -> Frame:
         """A frame for an operator's chain, one level deeper."""
         return Frame(self.commons, self.focus, binding, (*self.within, lesson))
-
-
-def _merge(memory: WorkingMemory, bound: Binding, name: str, real: Node) -> None:
-    """The node that was made for "you" or "me" is the robot itself, or the speaker."""
-    made = bound[name]
-    if made is real:
-        return
-    for role, node in list(made.into):
-        memory.net.link(node, role, real)
-    memory.net.drop(made)
-    bound[name] = real
 
 
 def _lone_find(play: Play) -> Directive | None:

@@ -56,7 +56,12 @@ class Speak:
     text: str
 
 
-BodyCommand = Travel | Rotate | MoveLift | MoveGrip | Speak
+@dataclass(frozen=True, slots=True)
+class Halt:
+    """End every other motion for good. For the mind alone: no body sees it."""
+
+
+BodyCommand = Halt | Travel | Rotate | MoveLift | MoveGrip | Speak
 Resource = Literal["wheels", "lift", "grip", "voice"]
 
 

@@ -8,7 +8,7 @@ from __future__ import annotations
 import math
 from typing import Final
 
-from kernel.action.call import Act, Bid, Call, Rotate, Tick, Travel, grounding_function
+from kernel.action.call import Act, Bid, Call, Halt, Rotate, Tick, Travel, grounding_function
 from kernel.action.motion import motion, pace
 from kernel.action.verdict import Verdict
 from kernel.errors import LimitError, NotGroundedError
@@ -100,6 +100,13 @@ def base_turn(call: Call, tick: Tick) -> Act:
         return Verdict.SUCCEEDED
     command = Rotate(sign * rate, angle / rate)
     return (yield from motion(Bid("wheels", command, call.ticket), tick))
+
+
+@grounding_function("base_stop", verbs=("stop", "halt"))
+def base_stop(call: Call, tick: Tick) -> Act:
+    """End the motion of all other activities, as a step: the chain it stands in goes on (mind.md)."""
+    yield Bid("wheels", Halt(), call.ticket)
+    return Verdict.SUCCEEDED
 
 
 def _no_destination(call: Call) -> None:

@@ -78,6 +78,22 @@ class WorkingMemory:
         groups = (*self.told.values(), *self._sensed.values())
         return {node for group in groups for node in group} | self._born
 
+    def persons(self, graphlet: Graphlet, binding: Binding) -> Binding:
+        """The binding with "you" bound to the robot itself and "me" to the speaker."""
+        found = dict(binding)
+        for term in graphlet.terms:
+            if term.name not in found and "you" in term.lex:
+                found[term.name] = self.me
+            elif term.name not in found and "me" in term.lex:
+                found[term.name] = self.user
+        return found
+
+    def instantiate(self, graphlet: Graphlet, binding: Binding) -> Binding:
+        """Nodes for what is not bound yet; see kernel.net.node.instantiate."""
+        bound = instantiate(self.net, graphlet, self.persons(graphlet, binding))
+        self.changed()
+        return bound
+
     # -- what was told ---------------------------------------------------------------------
 
     def tell(self, fact: Graphlet, binding: Binding) -> tuple[Binding, tuple[Node, ...]]:
@@ -87,13 +103,14 @@ class WorkingMemory:
         Returns:
             The binding, and the nodes that carry the fact, main first.
         """
+        binding = self.persons(fact, binding)
         for opposite in list(matches(fact.denied(), self.net, REMEMBERED, binding, 0.0)):
             self.retract(opposite[fact.main])
         for same in matches(fact, self.net, REMEMBERED, binding, 0.0):
             if same[fact.main] in self.told:
                 self.mention(same[fact.main])
                 return same, self.told[same[fact.main]]
-        bound = instantiate(self.net, fact, binding)
+        bound = self.instantiate(fact, binding)
         group = tuple(dict.fromkeys(node for name, node in bound.items() if name not in binding))
         carrying = (bound[fact.main], *(n for n in group if n is not bound[fact.main]))
         self._remember(carrying)
@@ -158,8 +175,9 @@ class WorkingMemory:
 
         Names that other held facts use mean the same nodes: "very close" modifies the "close" that is held.
         """
-        bound = instantiate(self.net, fact, self._sensed_names)
-        new = {name: node for name, node in bound.items() if name not in self._sensed_names}
+        known = self.persons(fact, self._sensed_names)
+        bound = self.instantiate(fact, known)
+        new = {name: node for name, node in bound.items() if name not in known}
         self._sensed_names |= new
         self._sensed[key] = tuple(new.values())
         self.changed()
