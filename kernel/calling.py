@@ -67,6 +67,7 @@ def _served(commons: Commons, focus: Focus, running: Act, ticket: int) -> Run:
         if bid is not None and isinstance(bid.command, Speak):
             if not spoken:
                 commons.speech.append(bid)
+                focus.said += 1
                 spoken = True
         elif bid is not None:
             commons.claims.append(Claim(focus.number, bid))

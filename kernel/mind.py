@@ -173,23 +173,18 @@ class Mind:
 
     def _explain(self, focus: Focus) -> None:
         failure = focus.failure or Failure("no_way")
-        if failure.spoken:
+        if -1 < failure.said_before < focus.said:
             return
         act = describe(failure.act) if failure.act is not None else None
         if failure.reason == "prohibited" and failure.by is not None and act is not None:
-            self._commons.memory.refresh()
-            because = tuple(describe(n) for n in self._commons.memory.halo.nodes)[:1]
-            self._commons.replies.append(Refused(act, failure.by, because))
+            self._commons.replies.append(Refused(act, failure.by, failure.because))
         else:
             self._commons.replies.append(Failed(act, failure.reason, failure.detail))
 
     def _fade(self, now_s: float) -> None:
-        memory = self._commons.memory
-        for focus in self._attention.fade(now_s):
-            for node in focus.nodes:
-                if not memory.is_lasting(node):
-                    memory.net.drop(node)
-            memory.changed()
+        faded = self._attention.fade(now_s)
+        if faded:
+            self._commons.memory.forget([node for focus in faded for node in focus.nodes])
 
     # -- acting ----------------------------------------------------------------------------
 

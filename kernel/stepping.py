@@ -18,7 +18,7 @@ from kernel.memory.recall import answer, known
 from kernel.memory.reply import LessonTaken, Reason
 from kernel.net.graphlet import Graphlet
 from kernel.net.match import Binding, holds, matches
-from kernel.net.node import Node
+from kernel.net.node import Node, describe
 
 if TYPE_CHECKING:
     from kernel.running import Frame
@@ -116,8 +116,8 @@ class RunningStep:
             choice = self.match(lesson, operator, self.threshold_for(operator))
             if choice is None:
                 continue
-            if lesson in self.frame.within and tag == "DO":
-                self.ruled_out = True
+            if lesson in self.frame.within:  # advice does not apply to the carrying out of itself
+                self.ruled_out = self.ruled_out or tag == "DO"
                 continue
             yield choice
 
@@ -187,8 +187,14 @@ class RunningStep:
 
     def prohibit(self, choice: Chosen) -> None:
         """Remember the veto as the explanation."""
-        says = any(d.tag == "DO" for d in choice.operator.chain.directives())
-        self.focus.failure = Failure("prohibited", self.node, by=choice.lesson, spoken=says)
+        concluded = [node for node in choice.binding.values() if node.rule]
+        self.focus.failure = Failure(
+            "prohibited",
+            self.node,
+            by=choice.lesson,
+            because=tuple(describe(node) for node in concluded),
+            said_before=self.focus.said,
+        )
         self.commons.record(
             "prohibited", self.focus, by=choice.lesson.words, text=act_text(self.node)
         )

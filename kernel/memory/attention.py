@@ -14,6 +14,7 @@ from kernel.action.verdict import Verdict
 from kernel.memory.lesson import Lesson
 from kernel.memory.meaning import Heard
 from kernel.memory.reply import Reason
+from kernel.net.graphlet import Graphlet
 from kernel.net.node import Node
 
 ACTIVE_LIMIT: Final = 32
@@ -22,13 +23,19 @@ FADE_S: Final = 30.0
 
 @dataclass(slots=True)
 class Failure:
-    """Why a focus came to nothing: the first cause that was found. spoken: the robot has said something about it."""
+    """Why a focus came to nothing: the first cause that was found.
+
+    Attributes:
+        by: the prohibition; because: the conclusions it rests on.
+        said_before: how often the focus had spoken by then; if it has spoken since, that was the explanation.
+    """
 
     reason: Reason
     act: Node | None = None
     detail: str = ""
     by: Lesson | None = None
-    spoken: bool = False
+    because: tuple[Graphlet, ...] = ()
+    said_before: int = -1
 
 
 @dataclass(slots=True, eq=False)
@@ -44,6 +51,7 @@ class Focus:
         ended_s: when it was handled, None while active.
         failure: why it failed, or is failing.
         reaction: the NOTE operator it followed first; lesson: what it is to learn.
+        said: how often it has spoken.
         preempted: when which lesson's reaction took a resource from it, s.
     """
 
@@ -57,6 +65,7 @@ class Focus:
     failure: Failure | None = None
     reaction: Lesson | None = None
     lesson: Lesson | None = None
+    said: int = 0
     preempted: list[tuple[float, int]] = field(default_factory=list)
 
     @property

@@ -158,15 +158,14 @@ class WorkingMemory:
         for node in named.values():
             self.told[carrying[0]] = tuple(dict.fromkeys((*self.told[carrying[0]], node)))
 
-    def is_lasting(self, node: Node) -> bool:
-        """Whether the node outlives the focus that made it."""
+    def forget(self, nodes: Iterable[Node]) -> None:
+        """Drop nodes of a focus that has faded, but for what was told or sensed, and what that is about."""
         kept = self._kept()
-        return (
-            node is self.me
-            or node.kind == "user"
-            or node in kept
-            or any(other in kept for _, other in node.into)
-        )
+        for node in nodes:
+            is_person = node is self.me or node.kind == "user"
+            if not (is_person or node in kept or any(other in kept for _, other in node.into)):
+                self.net.drop(node)
+        self.changed()
 
     # -- what is sensed --------------------------------------------------------------------
 
