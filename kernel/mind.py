@@ -18,7 +18,7 @@ from kernel.action.step import Run
 from kernel.action.verdict import Verdict
 from kernel.attending import attend, notice
 from kernel.commons import Commons
-from kernel.memory.attention import Attention, Failure, Focus
+from kernel.memory.attention import ROOM, Attention, Failure, Focus
 from kernel.memory.exchange import Inputs, Outputs
 from kernel.memory.lesson import Lesson, Operator
 from kernel.memory.meaning import Heard
@@ -133,7 +133,7 @@ class Mind:
             self._begin(notice, None, (), fact)
 
     def _hear(self, heard: Heard) -> None:
-        if self._attention.full:
+        if len(self._attention.active()) >= ROOM:
             self._commons.replies.append(Failed(None, "no_room"))
             self._commons.record(
                 "error", None, text="attention is full", words=heard.utterance.text
@@ -142,6 +142,8 @@ class Mind:
         self._begin(attend, heard)
 
     def _begin(self, how: Callable[..., Run], heard: Heard | None, *args: object) -> None:
+        if self._attention.crowded and (gone := self._attention.evict()) is not None:
+            self._commons.memory.forget(gone.nodes)
         focus = self._attention.post(heard)
         focus.run = how(self, self._commons, focus, *args)
         self._commons.record("focus", focus, text=focus.words or "noticed")

@@ -17,7 +17,7 @@ from kernel.memory.reply import Reason
 from kernel.net.graphlet import Graphlet
 from kernel.net.node import Node
 
-ACTIVE_LIMIT: Final = 32
+ROOM: Final = 32  # foci, handled ones included
 FADE_S: Final = 30.0
 
 
@@ -91,9 +91,9 @@ class Attention:
         return [focus for focus in self if focus.ended_s is None]
 
     @property
-    def full(self) -> bool:
-        """Whether an utterance has to be refused for lack of room."""
-        return len(self.active()) >= ACTIVE_LIMIT
+    def crowded(self) -> bool:
+        """Whether something has to leave before something new is posted."""
+        return len(self._foci) >= ROOM
 
     def post(self, heard: Heard | None = None) -> Focus:
         """Put something new before the mind."""
