@@ -112,7 +112,9 @@ def _as_kind(telling: Telling, term: Term) -> str:
     name = linked(term, "ako")
     owners = [linked(own, "of") for own in telling.take(name, "own")]
     whose = thing(telling, owners[0], "possessive") if owners else ""
+    more = telling.take(name, "ako")
     before, _, after = description(telling, name, "")
+    telling.release(more)
     phrase = " ".join(filter(None, (before, kind(telling, term), after)))
     return f"{whose or article(phrase)} {phrase}"
 

@@ -18,8 +18,18 @@ _FORMS: Final[dict[VerbForm, Callable[[str], str]]] = {
 }  # fmt: skip
 _UNITS_OF_TIME: Final = ("second", "minute", "hour")
 _WAITING: Final = ("wait", "pause", "rest")
+_GOING: Final = ("go", "drive", "move", "step", "roll", "run", "walk", "come", "climb")
 _TELLING: Final = ("tell", "ask")
 _GIVING: Final = ("show", "give", "bring", "teach", *_TELLING)
+_SIZES: Final = {
+    "little": "a little",
+    "fully": "all the way",
+    "much": "a lot",
+    "half": "halfway",
+    "more": "further",
+}
+# Directions said before what they lead past: "go out the door".
+_LEADING: Final = ("out", "in", "inside", "off", "over", "down", "up")
 _COUNTS: Final = {"1": "once", "2": "twice"}
 _KNOWN_ROLES: Final = ("agt", "obj", "dest", "cmd")
 
@@ -45,8 +55,10 @@ def _arguments(telling: Telling, term: Term) -> list[str]:
     if dest and word(term) in _GIVING:
         parts += [thing(telling, dest), what]
     else:
-        parts += [what, *_directions(telling, term), f"to {thing(telling, dest)}" if dest else ""]
-    parts += _directions(telling, term)
+        ways = _directions(telling, term)
+        leading = [way for way in ways if what and word(term) in _GOING and way in _LEADING]
+        parts += [*leading, what, *(way for way in ways if way not in leading)]
+        parts += [f"to {thing(telling, dest)}" if dest else ""]
     if cmd:
         parts.append(("to " if word(term) in _GIVING else "") + deed(telling, cmd))
     for role, other in term.links:
@@ -64,7 +76,7 @@ def _modifiers(telling: Telling, term: Term) -> list[str]:
     name, verb = term.name, word(term)
     places = [place(telling, where) for where in telling.take(name, "loc")]
     amounts = [_amount(amount, verb) for amount in telling.take(name, "amt")]
-    degrees = [degree(telling, name).strip()]
+    degrees = [_SIZES.get(word(size), word(size)) for size in telling.take(name, "deg")]
     manners = [degree(telling, how.name) + word(how) for how in telling.take(name, "mod")]
     counts = [
         _COUNTS.get(count.literal or "", f"{count.literal} times")

@@ -16,8 +16,9 @@ def procedure(telling: Telling, chain: Chain, form: VerbForm = "base") -> str:
     spoken = {
         name
         for directive in chain.directives()
-        if directive.tag != "FIND" and directive.graphlet
+        if directive.graphlet
         for name in directive.graphlet.mentioned
+        if (directive.tag, name) != ("FIND", directive.graphlet.main)
     }
     return " then ".join(filter(None, (_play(telling, p, form, spoken) for p in chain.plays)))
 

@@ -36,14 +36,15 @@ class Telling:
         described: graphlets whose terms may go into noun phrases.
         claims: graphlets that are told as clauses only ("if it is Rick"); their terms are kept out of noun phrases.
         voice: who tells it.
-        mentioned: things already spoken of, oldest first: the candidates for "it".
+        mentioned: things spoken of, in order of first mention, with the kind they were called by ("" for "something"):
+            "it" is the last one, "the block" the last one called a block (grammars/build.py).
         stated: predicates already told, or kept back to be told as a clause.
     """
 
     described: tuple[Graphlet, ...]
     claims: tuple[Graphlet, ...] = ()
     voice: Voice = "teacher"
-    mentioned: list[str] = field(default_factory=list)
+    mentioned: dict[str, str] = field(default_factory=dict)
     stated: set[str] = field(default_factory=set)
     terms: dict[str, Term] = field(default_factory=dict)
 
@@ -95,8 +96,6 @@ class Telling:
         """Let predicates be told again."""
         self.stated -= {term.name for term in terms}
 
-    def mention(self, name: str) -> None:
-        """Make it the newest thing spoken of."""
-        if name in self.mentioned:
-            self.mentioned.remove(name)
-        self.mentioned.append(name)
+    def mention(self, name: str, noun: str = "") -> None:
+        """Make it the newest thing spoken of; taking it up again does not make it newer."""
+        self.mentioned.setdefault(name, noun)

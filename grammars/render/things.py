@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import Final, Literal
 
+from grammars.build import PERSONS
 from grammars.morphology import article, comparative, superlative
 from grammars.render.telling import Telling, linked, word
 from kernel.net.graphlet import Term
@@ -22,6 +23,10 @@ _PRONOUNS: Final = {
     "this": ("this", "this", "its"),
 }
 _DETERMINERS: Final = ("the", "this", "that", "every", "any", "all", "each")
+# Nouns that take no article.
+_MASSES: Final = frozenset(
+    ("music", "water", "milk", "coffee", "tea", "juice", "food", "trash", "smoke", "fire")
+)
 _DEGREES: Final = {"little": "a little", "fully": "all the way"}
 
 
@@ -30,8 +35,12 @@ def thing(telling: Telling, name: str, case: Case = "object") -> str:
     term = telling.term(name)
     if term.lex & {"you", "me"}:
         return pronoun(telling, word(term), case)
-    phrase = _again(telling, term) if name in telling.mentioned else _first(telling, term)
-    telling.mention(name)
+    if name in telling.mentioned:
+        phrase = _again(telling, term)
+    else:
+        kinds = [word(t) for t in telling.about(name, "ako") if not t.negated]
+        phrase = _first(telling, term)
+        telling.mention(name, "" if term.lex else next(iter(kinds), ""))
     if phrase in _PRONOUNS:
         return _PRONOUNS[phrase][_CASES.index(case)]
     return possessive(phrase) if case == "possessive" else phrase
@@ -80,10 +89,10 @@ def kind(telling: Telling, term: Term) -> str:
 
 
 def place(telling: Telling, term: Term) -> str:
-    """Where: next to the wall; on the left."""
-    landmark = linked(term, "wrt")
-    if landmark:
-        return f"{word(term)} {thing(telling, landmark)}"
+    """Where: next to the wall; between two things; on the left."""
+    landmarks = [thing(telling, other) for role, other in term.links if role == "wrt"]
+    if landmarks:
+        return f"{word(term)} {' and '.join(landmarks)}"
     return word(term) if " " in word(term) else f"on the {word(term)}"
 
 
@@ -141,16 +150,17 @@ def _first(telling: Telling, term: Term) -> str:
         return f"{whose} {phrase}"
     if ref == "one":
         return f"the {phrase}"
+    if not ref and noun in _MASSES:
+        return phrase
     return f"{ref if ref in _DETERMINERS else article(phrase)} {phrase}"
 
 
 def _again(telling: Telling, term: Term) -> str:
-    if term.lex:
-        return proper(word(term))
-    if len(telling.mentioned) == 1:
-        return "it"
-    kinds = [t for t in telling.terms.values() if ("ako", term.name) in t.links and not t.negated]
-    if not kinds:
-        return "it"
-    subs = [word(t) for t in telling.terms.values() if ("sub", kinds[0].name) in t.links]
-    return " ".join(["the", *subs, word(kinds[0])])
+    """As the parser takes it up: "it" is the thing mentioned last, "the block" the last block."""
+    name, noun = term.name, telling.mentioned[term.name]
+    if name == next(reversed(telling.mentioned)):
+        return "they" if term.lex or noun in PERSONS else "it"
+    same = [other for other, called in telling.mentioned.items() if called == noun]
+    if term.lex or not noun or name != same[-1]:
+        return proper(word(term)) if term.lex else "it"
+    return f"the {noun}"

@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 from grammars.render import act_in_words, render, thing_in_words
 from grammars.render.questions import claim, question
-from grammars.render.telling import Telling, is_predicate
+from grammars.render.telling import SAYING, Telling, is_predicate
+from grammars.render.things import proper
 from grammars.replies import Said, both, renders
-from kernel.memory.meaning import Question
+from kernel.memory.meaning import Fact, Question
 from kernel.memory.reply import Answer
 from kernel.net.graphlet import Graphlet
 
@@ -84,12 +87,38 @@ def _found(asked: Question, found: tuple[Graphlet, ...]) -> str:
 
 
 def _told(asked: Question, graphlet: Graphlet) -> str:
-    telling = Telling((graphlet,), (), "robot")
-    main = telling.term(graphlet.main)
+    """One thing found, in words: an action, a name, what is so of the thing asked about, or which thing it is."""
+    main = Telling((graphlet,)).term(graphlet.main)
     if asked.topic in ("doing", "did"):
         return act_in_words(graphlet, (), "gerund" if asked.topic == "doing" else "past")
+    if asked.topic == "identity":
+        return proper(min(main.lex - {"me", "you"}, default="somebody"))
     if is_predicate(main):
         return render(graphlet, "robot")
     if main.literal is not None:
         return main.literal
-    return thing_in_words(graphlet.main, (graphlet,))
+    return _news(asked, graphlet) or thing_in_words(graphlet.main, (graphlet,))
+
+
+def _news(asked: Question, graphlet: Graphlet) -> str:
+    """What a description says of its thing that the question did not; "" where the question asks which thing it is."""
+    wanted = asked.wanted or asked.about.main
+    roles = ("loc",) if asked.ask == "where" else SAYING
+    known = [t for t in asked.about if (t.name == wanted and t.lex) or ("ako", wanted) in t.links]
+    if asked.ask not in ("where", "who", "what") or not known:
+        return ""
+    new = [
+        term
+        for term in graphlet
+        if any((role, graphlet.main) in term.links for role in roles)
+        and not term.lex & asked.about.words()
+    ]
+    if not new:
+        return ""
+    modifying = [t for t in graphlet if any(other.name in dict(t.links).values() for other in new)]
+    claimed = [*new, *(t for t in modifying if t not in new)]
+    main = replace(Telling((graphlet,)).term(graphlet.main), ref="the")
+    rest = (main, *(t for t in graphlet if t not in claimed and t.name != graphlet.main))
+    return render(
+        Fact(Graphlet(tuple(claimed), new[0].name), (Graphlet(rest, graphlet.main),)), "robot"
+    )

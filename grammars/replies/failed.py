@@ -70,9 +70,8 @@ def _conflict(reply: Failed) -> str:
 # What a command left out, by the name that the grounding functions give it.
 _MISSING: Final = {
     "direction": "you did not say which way to {verb}",
-    "text": "you did not say what to {verb}",
-    "object": "you did not say what to {verb}",
-    "amount": "you did not say how much to {verb}",
+    "words": "you did not say what to {verb}",
+    "way there": "I don't know the way there",
 }
 _WORD_KINDS: Final = {"dir": "direction", "amt": "unit", "mod": "word", "loc": "place"}
 
