@@ -6,82 +6,23 @@ session. (The hardware watchdog has no model: this code cannot hang.) Motion nee
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
+from firmware_proto import messages as wire
 from firmware_proto.errors import PayloadError, UnknownMessageError
 from firmware_proto.frame import Frame, FrameReader, encode_message
-from firmware_proto.messages import (
-    CLEAR_KEY,
-    DEFINITION_HASH,
-    LEASE_MS,
-    MAX_HOLD_MS,
-    MAX_LEASE_MS,
-    PROTOCOL_VERSION,
-    Ack,
-    Clear,
-    Config,
-    Drive,
-    Estop,
-    Event,
-    EventCode,
-    Flag,
-    Grip,
-    Heartbeat,
-    Hello,
-    HelloAck,
-    Lift,
-    Message,
-    Pong,
-    ResetCause,
-    Result,
-    State,
-    Stop,
-    Telem,
-    number_of,
-    unpack,
+from firmware_proto.layout import Message, number_of, unpack
+from firmware_proto.pulses import (
+    NEUTRAL_US,
+    SERVO_ZERO_US,
+    SLEW_MAX_PERMILLE_S,
+    WHEEL_US_PER_PERMILLE,
+    Pulses,
+    Slew,
 )
 
 FIRMWARE_VERSION = 1
 CAPABILITIES = 0
 TELEM_MS = 50
-NEUTRAL_US = 1500
-WHEEL_US_PER_PERMILLE = 0.5
-SERVO_ZERO_US = 1000  # lift down, gripper closed; one microsecond a permille
-SLEW_MAX_PERMILLE_S = 4000
-ANY_SESSION = (number_of(Hello), number_of(Stop), number_of(Estop))
-
-
-@dataclass(frozen=True, slots=True)
-class Pulses:
-    """Servo pulse widths in microseconds. Wheels: 1500 is neutral, more is forwards on both sides."""
-
-    left_us: int
-    right_us: int
-    lift_us: int
-    grip_us: int
-
-
-@dataclass(slots=True)
-class Slew:
-    """One slewed servo, in permille."""
-
-    at: float
-    target: float
-    rate: float = 0.0
-
-    @property
-    def moving(self) -> bool:
-        """Not there yet."""
-        return self.at != self.target
-
-    def advance(self, dt_s: float) -> None:
-        """Come dt_s closer to the target."""
-        step = self.rate * dt_s
-        self.at = min(max(self.target, self.at - step), self.at + step)
-
-    def hold(self) -> None:
-        """Stay here."""
-        self.target = self.at
+ANY_SESSION = (number_of(wire.Hello), number_of(wire.Stop), number_of(wire.Estop))
 
 
 class Device:
@@ -95,10 +36,10 @@ class Device:
     def __init__(
         self,
         boot_id: int = 1,
-        reset_cause: ResetCause = ResetCause.POWER_ON,
+        reset_cause: wire.ResetCause = wire.ResetCause.POWER_ON,
         clock_ms: int = 0,
-        definition: int = DEFINITION_HASH,
-        proto: int = PROTOCOL_VERSION,
+        definition: int = wire.DEFINITION_HASH,
+        proto: int = wire.PROTOCOL_VERSION,
     ) -> None:
         self._boot_id, self._reset_cause = boot_id, reset_cause
         self._clock_ms, self._definition, self._proto = clock_ms, definition, proto
@@ -108,16 +49,16 @@ class Device:
         self._session: int | None = None
         self._opened_by: tuple[int, int] | None = None
         self._last_seq = 0
-        self._answer: tuple[Frame, Ack] | None = None
-        self._lease_ms = LEASE_MS
+        self._answer: tuple[Frame, wire.Ack] | None = None
+        self._lease_ms = wire.LEASE_MS
         self._lease_until_s: float | None = None
         self._estopped = False
-        self._drive: Drive | None = None
+        self._drive: wire.Drive | None = None
         self._drive_seq = 0
         self._drive_until_s = 0.0
         self._lift = Slew(0.0, 0.0)
         self._grip = Slew(1000.0, 1000.0)
-        self._config = Config(TELEM_MS, LEASE_MS, 0, 0, 0)
+        self._config = wire.Config(TELEM_MS, wire.LEASE_MS, 0, 0, 0)
         self._telem_due_s = 0.0
         self._adc = (0, 0, 0)
         self._guarded = False
@@ -134,15 +75,15 @@ class Device:
         )
 
     @property
-    def state(self) -> State:
+    def state(self) -> wire.State:
         """As reported in telemetry."""
         if self._estopped:
-            return State.ESTOPPED
+            return wire.State.ESTOPPED
         if self._session is None:
-            return State.BOOT
+            return wire.State.BOOT
         if self._drive is not None:
-            return State.DRIVING
-        return State.READY if self._lease_until_s is not None else State.IDLE
+            return wire.State.DRIVING
+        return wire.State.READY if self._lease_until_s is not None else wire.State.IDLE
 
     def sense(self, range_adc: int, grip_adc: int, battery_adc: int) -> None:
         """The latest converted sensor values, 0 to 4095."""
@@ -162,10 +103,10 @@ class Device:
         if self._lease_until_s is not None and self._now_s >= self._lease_until_s:
             self._lease_until_s = None
             turning = self._halt()
-            self._tell(EventCode.LEASE_LOST, int(turning))
+            self._tell(wire.EventCode.LEASE_LOST, int(turning))
         if self._drive is not None and self._now_s >= self._drive_until_s:
             self._drive = None
-            self._tell(EventCode.MOVE_DONE, self._drive_seq)
+            self._tell(wire.EventCode.MOVE_DONE, self._drive_seq)
         self._guard()
         if self._session is not None and self._now_s >= self._telem_due_s:
             self._telem_due_s = self._now_s + self._config.telem_ms / 1000
@@ -177,33 +118,31 @@ class Device:
         self._out.clear()
         return data
 
-    # ---- commands -------------------------------------------------------------------------------------------
-
     def _handle(self, frame: Frame) -> None:
         try:
             message = unpack(frame.number, frame.payload)
         except UnknownMessageError:
-            self._refuse(frame, Result.UNKNOWN)
+            self._refuse(frame, wire.Result.UNKNOWN)
             return
         except PayloadError:
-            self._refuse(frame, Result.BAD_LEN)
+            self._refuse(frame, wire.Result.BAD_LEN)
             return
         if frame.number not in ANY_SESSION and frame.session != self._session:
-            self._refuse(frame, Result.BAD_SESSION)
+            self._refuse(frame, wire.Result.BAD_SESSION)
             return
         match message:
-            case Hello():
+            case wire.Hello():
                 self._hello(frame)
-            case Stop() | Estop():
-                self._stop(frame, latch=isinstance(message, Estop))
-            case Heartbeat(host_ms):
+            case wire.Stop() | wire.Estop():
+                self._stop(frame, latch=isinstance(message, wire.Estop))
+            case wire.Heartbeat(host_ms):
                 if not self._estopped:
                     self._lease_until_s = self._now_s + self._lease_ms / 1000
-                self._send(Pong(host_ms, self._mcu_ms()), frame.seq)
-            case Drive() | Lift() | Grip() | Clear() | Config():
+                self._send(wire.Pong(host_ms, self._mcu_ms()), frame.seq)
+            case wire.Drive() | wire.Lift() | wire.Grip() | wire.Clear() | wire.Config():
                 self._in_order(frame, message)
             case _:
-                self._refuse(frame, Result.UNKNOWN)
+                self._refuse(frame, wire.Result.UNKNOWN)
 
     def _hello(self, frame: Frame) -> None:
         opened_by = (frame.session, frame.seq)
@@ -217,14 +156,14 @@ class Device:
             self._halt()
             self._telem_due_s = self._now_s
         self._send(
-            HelloAck(
+            wire.HelloAck(
                 self._proto,
                 FIRMWARE_VERSION,
                 CAPABILITIES,
                 self._boot_id,
                 self._reset_cause,
                 self._lease_ms,
-                MAX_HOLD_MS,
+                wire.MAX_HOLD_MS,
                 self._mcu_ms(),
                 self._definition,
             ),
@@ -236,69 +175,71 @@ class Device:
         if latch and not self._estopped:
             self._estopped = True
             self._lease_until_s = None
-            self._tell(EventCode.ESTOP, 0)
+            self._tell(wire.EventCode.ESTOP, 0)
         if frame.session == self._session and self._ahead(frame.seq):
             # what the host sent before this, and the line still holds, is behind from now on
             self._last_seq = frame.seq
             self._answer = None
-        self._send(Ack(frame.number, frame.seq, Result.OK), frame.seq)
+        self._send(wire.Ack(frame.number, frame.seq, wire.Result.OK), frame.seq)
 
     def _in_order(self, frame: Frame, message: Message) -> None:
         """Execute a sequenced command once, whatever the line repeats."""
         if self._answer is not None and frame.seq == self._last_seq:
             known, answer = self._answer
             self._send(
-                answer if known == frame else Ack(frame.number, frame.seq, Result.DUP), frame.seq
+                answer if known == frame else wire.Ack(frame.number, frame.seq, wire.Result.DUP),
+                frame.seq,
             )
             return
         if not self._ahead(frame.seq):
-            self._refuse(frame, Result.STALE)
+            self._refuse(frame, wire.Result.STALE)
             return
-        answer = Ack(frame.number, frame.seq, self._execute(message, frame.seq))
+        answer = wire.Ack(frame.number, frame.seq, self._execute(message, frame.seq))
         self._last_seq, self._answer = frame.seq, (frame, answer)
         self._send(answer, frame.seq)
 
-    def _execute(self, message: Message, seq: int) -> Result:
+    def _execute(self, message: Message, seq: int) -> wire.Result:
         match message:
-            case Clear(key):
-                if key != CLEAR_KEY:
-                    return Result.BAD_ARG
+            case wire.Clear(key):
+                if key != wire.CLEAR_KEY:
+                    return wire.Result.BAD_ARG
                 self._estopped = False
-                return Result.OK
-            case Config() as config:
-                if config.telem_ms == 0 or not LEASE_MS <= config.lease_ms <= MAX_LEASE_MS:
-                    return Result.BAD_ARG
+                return wire.Result.OK
+            case wire.Config() as config:
+                if (
+                    config.telem_ms == 0
+                    or not wire.LEASE_MS <= config.lease_ms <= wire.MAX_LEASE_MS
+                ):
+                    return wire.Result.BAD_ARG
                 self._config, self._lease_ms = config, config.lease_ms
-                return Result.OK
-            case Drive() | Lift() | Grip():
+                return wire.Result.OK
+            case wire.Drive() | wire.Lift() | wire.Grip():
                 if self._estopped:
-                    return Result.ESTOPPED
+                    return wire.Result.ESTOPPED
                 if self._lease_until_s is None:
-                    return Result.NO_LEASE
+                    return wire.Result.NO_LEASE
                 if self._late(message.not_after_ms):
-                    return Result.STALE
+                    return wire.Result.STALE
                 return self._move(message, seq)
             case _:
-                return Result.UNKNOWN
+                return wire.Result.UNKNOWN
 
-    def _move(self, message: Drive | Lift | Grip, seq: int) -> Result:
-        if isinstance(message, Drive):
-            if not 1 <= message.hold_ms <= MAX_HOLD_MS:
-                return Result.BAD_ARG
+    def _move(self, message: wire.Drive | wire.Lift | wire.Grip, seq: int) -> wire.Result:
+        if isinstance(message, wire.Drive):
+            if not 1 <= message.hold_ms <= wire.MAX_HOLD_MS:
+                return wire.Result.BAD_ARG
             if max(abs(message.left_permille), abs(message.right_permille)) > 1000:
-                return Result.BAD_ARG
+                return wire.Result.BAD_ARG
             neutral = message.left_permille == message.right_permille == 0
             self._drive, self._drive_seq = (None if neutral else message), seq
             self._drive_until_s = self._now_s + message.hold_ms / 1000
             self._guarded = False
-            return Result.OK
+            return wire.Result.OK
         if message.target_permille > 1000 or not 0 < message.rate_permille_s <= SLEW_MAX_PERMILLE_S:
-            return Result.BAD_ARG
-        slew = self._lift if isinstance(message, Lift) else self._grip
+            return wire.Result.BAD_ARG
+        slew = self._lift if isinstance(message, wire.Lift) else self._grip
         slew.target, slew.rate = message.target_permille, message.rate_permille_s
-        return Result.OK
-
-    # ---- helpers --------------------------------------------------------------------------------------------
+        return wire.Result.OK
 
     def _halt(self) -> bool:
         """Wheels neutral, lift and grip hold. Whether the wheels were turning."""
@@ -315,7 +256,7 @@ class Device:
         if drive.left_permille + drive.right_permille > 0:
             self._drive = None
             self._guarded = True
-            self._tell(EventCode.GUARD, range_adc)
+            self._tell(wire.EventCode.GUARD, range_adc)
 
     def _ahead(self, seq: int) -> bool:
         return 0 < (seq - self._last_seq) & 0xFF < 0x80
@@ -326,24 +267,24 @@ class Device:
     def _mcu_ms(self) -> int:
         return (self._clock_ms + round(self._now_s * 1000)) & 0xFFFFFFFF
 
-    def _refuse(self, frame: Frame, result: Result) -> None:
-        self._send(Ack(frame.number, frame.seq, result), frame.seq)
+    def _refuse(self, frame: Frame, result: wire.Result) -> None:
+        self._send(wire.Ack(frame.number, frame.seq, result), frame.seq)
 
-    def _tell(self, code: EventCode, arg: int) -> None:
+    def _tell(self, code: wire.EventCode, arg: int) -> None:
         if self._session is not None:
-            self._send(Event(self._mcu_ms(), code, arg), 0)
+            self._send(wire.Event(self._mcu_ms(), code, arg), 0)
 
     def _send(self, message: Message, seq: int) -> None:
         self._out += encode_message(message, self._session or 0, seq)
 
-    def _telemetry(self) -> Telem:
+    def _telemetry(self) -> wire.Telem:
         flags = (
-            (Flag.LIFT_SLEWING if self._lift.moving else Flag(0))
-            | (Flag.GRIP_SLEWING if self._grip.moving else Flag(0))
-            | (Flag.GUARDED if self._guarded else Flag(0))
+            (wire.Flag.LIFT_SLEWING if self._lift.moving else wire.Flag(0))
+            | (wire.Flag.GRIP_SLEWING if self._grip.moving else wire.Flag(0))
+            | (wire.Flag.GUARDED if self._guarded else wire.Flag(0))
         )
         pulses = self.pulses
-        return Telem(
+        return wire.Telem(
             self._mcu_ms(),
             self.state,
             flags,

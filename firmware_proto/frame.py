@@ -10,7 +10,7 @@ import binascii
 from dataclasses import dataclass
 
 from firmware_proto.errors import LayoutError
-from firmware_proto.messages import MAX_PAYLOAD, Message, pack
+from firmware_proto.layout import MAX_PAYLOAD, Message, pack
 
 HEADER = 3
 CRC = 2

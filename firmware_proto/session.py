@@ -13,7 +13,6 @@ from __future__ import annotations
 import dataclasses
 from collections import deque
 from dataclasses import dataclass
-from enum import Enum
 
 from firmware_proto.errors import (
     DefinitionMismatchError,
@@ -42,6 +41,8 @@ from firmware_proto.messages import (
     number_of,
     unpack,
 )
+from firmware_proto.round_trip import RoundTrip
+from firmware_proto.told import SessionState, Settled
 
 HEARTBEAT_S = 0.1
 EARLY_S = 0.02  # a heartbeat may leave this much early, so a 30 Hz loop beats every third tick, not every fourth
@@ -49,38 +50,9 @@ DEGRADED_S = 0.3
 LOST_S = 1.0
 OPENING_S = 2.0
 HELLO_AGAIN_S = 0.2
-RESEND_MIN_S, RESEND_MAX_S = 0.060, 0.500
 RETRIES = 3
 FRESH_S = 0.250  # a motion command is refused by the far end when it arrives later than this plus a round trip
 HUNG_S = 0.2  # longer between two polls: it was this program that was silent, not the far end
-
-
-class SessionState(Enum):
-    """Where a session stands."""
-
-    OPENING = "HELLO has been sent and not been answered yet"
-    READY = "the far end answered and may be driven"
-    DEGRADED = "no PONG for 300 ms; the far end's lease has ended by now"
-    LOST = "no answer for 1 s; this session is over"
-    REFUSED = "the far end speaks another protocol or definition; this session is over"
-
-
-@dataclass(frozen=True, slots=True)
-class Settled(Message):
-    """What became of a command, told by the session; never on the wire.
-
-    Attributes:
-        message: the very object that was handed to send().
-        seq: its sequence number, which MOVE_DONE names; None if it was never sent.
-        result: the far end's answer; None if there is none (dropped by a stop, refused as older than one, out of
-            retries, or the link is down).
-        sent_s: when the answered copy left.
-    """
-
-    message: Message
-    seq: int | None
-    result: Result | None
-    sent_s: float
 
 
 @dataclass(slots=True)
@@ -90,41 +62,9 @@ class _Flight:
     message: Message
     data: bytes
     seq: int
+    queued_s: float
     sent_s: float
     copies: int = 1
-
-
-class RoundTrip:
-    """Smoothed round trip as in RFC 6298, and the offset of the far end's clock."""
-
-    def __init__(self) -> None:
-        self.srtt_s: float | None = None
-        self._variance_s = 0.0
-        self._offsets: deque[tuple[float, float]] = deque(maxlen=8)
-
-    @property
-    def resend_s(self) -> float:
-        """How long to wait for an answer before sending again, s."""
-        if self.srtt_s is None:
-            return 2 * RESEND_MIN_S
-        return min(max(self.srtt_s + 4 * self._variance_s, RESEND_MIN_S), RESEND_MAX_S)
-
-    def took(self, seconds: float) -> None:
-        """One more measurement."""
-        if self.srtt_s is None:
-            self.srtt_s, self._variance_s = seconds, seconds / 2
-            return
-        self._variance_s += (abs(self.srtt_s - seconds) - self._variance_s) / 4
-        self.srtt_s += (seconds - self.srtt_s) / 8
-
-    def clocks(self, host_s: float, mcu_ms: int, seconds: float) -> None:
-        """At host_s, half a round trip ago, the far end's clock showed mcu_ms."""
-        self._offsets.append((seconds, mcu_ms - (host_s - seconds / 2) * 1000))
-
-    def mcu_ms(self, host_s: float) -> int:
-        """What the far end's clock shows at host_s; the fastest of the last round trips decides."""
-        _, offset = min(self._offsets)
-        return round(host_s * 1000 + offset)
 
 
 class Session:
@@ -173,6 +113,11 @@ class Session:
         return self._state in (SessionState.LOST, SessionState.REFUSED)
 
     @property
+    def stopping(self) -> bool:
+        """A STOP is on its way and not acknowledged yet."""
+        return self._stopping is not None
+
+    @property
     def stop_epoch(self) -> int:
         """How many stops there were; a motion command computed under an earlier one is refused."""
         return self._stop_epoch
@@ -180,7 +125,7 @@ class Session:
     def send(self, message: Message, epoch: int, now_s: float) -> bool:
         """Queue a command that was computed under this epoch. Whether it was taken; Settled follows either way."""
         if not self.ready or (isinstance(message, MOTION) and epoch < self._stop_epoch):
-            self._told.append(Settled(message, None, None, now_s))
+            self._told.append(Settled(message, None, None, 0.0))
             return False
         self._queue.append((message, now_s))
         return True
@@ -188,10 +133,10 @@ class Session:
     def stop(self, now_s: float, latch: bool = False) -> int:
         """STOP (ESTOP with latch) past every queue; what was on its way is dropped. The new epoch."""
         self._stop_epoch += 1
-        self._drop(now_s)
+        self._drop()
         seq = self._next_seq()
         data = encode_message(Estop() if latch else Stop(), self._number, seq)
-        self._stopping = _Flight(Estop() if latch else Stop(), data, seq, now_s)
+        self._stopping = _Flight(Estop() if latch else Stop(), data, seq, now_s, now_s)
         self._out.clear()
         self._out += b"\0" + data  # the zero ends whatever frame was cut off
         return self._stop_epoch
@@ -231,8 +176,6 @@ class Session:
         self._out.clear()
         return data
 
-    # ---- receiving ------------------------------------------------------------------------------------------
-
     def _handle(self, frame: Frame, now_s: float) -> None:
         try:
             message = unpack(frame.number, frame.payload)
@@ -254,10 +197,10 @@ class Session:
             return
         self.hello = message
         if message.proto != PROTOCOL_VERSION:
-            self._end(SessionState.REFUSED, now_s)
+            self._end(SessionState.REFUSED)
             self.refusal = ProtocolMismatchError(PROTOCOL_VERSION, message.proto)
         elif message.definition != DEFINITION_HASH:
-            self._end(SessionState.REFUSED, now_s)
+            self._end(SessionState.REFUSED)
             self.refusal = DefinitionMismatchError(DEFINITION_HASH, message.definition)
         else:
             self._state = SessionState.READY
@@ -286,17 +229,15 @@ class Session:
         if flight.copies == 1:  # an answer to one of several copies measures nothing
             self.round_trip.took(now_s - flight.sent_s)
         self._flight = None
-        self._told.append(
-            Settled(flight.message, flight.seq, Result(min(ack.result, 8)), flight.sent_s)
-        )
+        waited_s = flight.sent_s - flight.queued_s
+        result = Result(min(ack.result, max(Result)))
+        self._told.append(Settled(flight.message, flight.seq, result, waited_s))
         if ack.result == Result.BAD_SESSION:
-            self._end(SessionState.LOST, now_s)
-
-    # ---- sending --------------------------------------------------------------------------------------------
+            self._end(SessionState.LOST)
 
     def _open(self, now_s: float) -> None:
         if now_s - self._opened_s > OPENING_S:
-            self._end(SessionState.LOST, now_s)
+            self._end(SessionState.LOST)
         elif now_s >= self._hello_due_s:
             self._hello_due_s = now_s + HELLO_AGAIN_S
             self._out += self._hello_frame
@@ -309,7 +250,7 @@ class Session:
             self._waiting_since_s += now_s - self._polled_s
         silent_s = now_s - self._waiting_since_s
         if silent_s > LOST_S:
-            self._end(SessionState.LOST, now_s)
+            self._end(SessionState.LOST)
         elif silent_s > DEGRADED_S:
             self._state = SessionState.DEGRADED
 
@@ -329,7 +270,7 @@ class Session:
         if flight is not None and now_s - flight.sent_s >= self.round_trip.resend_s:
             if flight.copies > RETRIES:
                 self._flight = None
-                self._told.append(Settled(flight.message, flight.seq, None, flight.sent_s))
+                self._told.append(Settled(flight.message, flight.seq, None, 0.0))
             else:
                 flight.copies += 1
                 flight.sent_s = now_s
@@ -345,20 +286,20 @@ class Session:
             not_after_ms = self.round_trip.mcu_ms(fresh_until_s) & 0xFFFF
             timed = dataclasses.replace(message, not_after_ms=not_after_ms)
         data = encode_message(timed, self._number, seq)
-        self._flight = _Flight(message, data, seq, now_s)
+        self._flight = _Flight(message, data, seq, queued_s, now_s)
         self._out += data
 
     def _next_seq(self) -> int:
         self._seq = (self._seq + 1) & 0xFF
         return self._seq
 
-    def _drop(self, now_s: float) -> None:
+    def _drop(self) -> None:
         if self._flight is not None:
-            self._told.append(Settled(self._flight.message, self._flight.seq, None, now_s))
+            self._told.append(Settled(self._flight.message, self._flight.seq, None, 0.0))
             self._flight = None
         while self._queue:
-            self._told.append(Settled(self._queue.popleft()[0], None, None, now_s))
+            self._told.append(Settled(self._queue.popleft()[0], None, None, 0.0))
 
-    def _end(self, state: SessionState, now_s: float) -> None:
+    def _end(self, state: SessionState) -> None:
         self._state = state
-        self._drop(now_s)
+        self._drop()

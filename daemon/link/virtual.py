@@ -6,7 +6,9 @@ import random
 from collections.abc import Iterable
 
 from firmware_proto.messages import Message
-from firmware_proto.session import Session, SessionState
+from firmware_proto.session import Session
+from firmware_proto.told import SessionState
+from kernel.bodies.forklift import scene as scenes
 from kernel.bodies.forklift.faults import Faults
 from kernel.bodies.forklift.scene import Scene
 from kernel.bodies.forklift.simulated import SimulatedForklift
@@ -24,8 +26,9 @@ class VirtualLink:
     """
 
     def __init__(
-        self, scene: Scene | None = None, seed: int = 0, faults: Faults | None = None
+        self, scene: Scene | str | None = None, seed: int = 0, faults: Faults | None = None
     ) -> None:
+        scene = scenes.read(scene) if isinstance(scene, str) else scene
         self.simulated = SimulatedForklift(scene, seed, faults)
         self.sent: list[tuple[float, bytes]] = []
         self._chance = random.Random(seed)

@@ -6,7 +6,7 @@ import math
 from collections.abc import Iterable, Sequence
 
 from firmware_proto.messages import Event, Grip, Lift, Message, State, Telem
-from firmware_proto.session import Settled
+from firmware_proto.told import Settled
 from kernel.action.call import Bid, BodyState, MoveFailure
 from kernel.bodies.forklift import figures
 from kernel.bodies.forklift.servo import Servo

@@ -6,7 +6,9 @@ for a 14 x 12 cm robot with a Sharp rangefinder of the 4 to 30 cm class.
 
 from __future__ import annotations
 
-from firmware_proto.device import NEUTRAL_US, SERVO_ZERO_US, WHEEL_US_PER_PERMILLE
+from dataclasses import dataclass
+
+from firmware_proto.pulses import NEUTRAL_US, SERVO_ZERO_US, WHEEL_US_PER_PERMILLE
 
 FRONT_CM = 7.0  # of the gripper
 BACK_CM = -7.0
@@ -23,6 +25,15 @@ FLOOR_VOLTS = 0.15  # the rangefinder sees nothing
 PEAK_CM = 3.0  # nearer than this the sensor's voltage falls again
 CURVE_V_CM, CURVE_CM = 12.0, 0.42
 BATTERY_FULL_SCALE_V = 10.0
+
+
+@dataclass(frozen=True, slots=True)
+class Sensors:
+    """What the three converter channels read, 0 to 4095."""
+
+    range_adc: int
+    grip_adc: int
+    battery_adc: int
 
 
 def wheel_permille(speed_m_s: float, rate_rad_s: float) -> tuple[int, int]:

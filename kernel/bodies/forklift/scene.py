@@ -105,6 +105,19 @@ class Scene:
     things: tuple[Thing, ...] = ()
 
 
+@dataclass(frozen=True, slots=True)
+class Truth:
+    """Where the robot really is; for judging and drawing only, the body never sees it."""
+
+    x_cm: float
+    y_cm: float
+    heading_rad: float
+    lift: float
+    grip: float
+    holding: Thing | None
+    range_cm: float | None
+
+
 def usual(
     noun: str, colour: str | None = None, name: str | None = None, low: bool = False
 ) -> Thing:

@@ -5,17 +5,19 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from firmware_proto.device import SLEW_MAX_PERMILLE_S
 from firmware_proto.messages import Flag, Grip, Lift, Message, Result, State, Telem
-from firmware_proto.session import Settled
+from firmware_proto.pulses import SLEW_MAX_PERMILLE_S
+from firmware_proto.told import Settled
 from kernel.action.call import Bid, MoveFailure, MoveGrip, MoveLift
 from kernel.bodies.forklift.figures import ADC_MAX, servo_fraction
-from kernel.bodies.forklift.wheels import Outcome
+from kernel.bodies.forklift.wheels import TRIES, Outcome
 
 ARRIVED = 0.003  # of the pulse, of the way
 SETTLED = 0.01  # the fingers have stopped moving
 GRIPPED = 0.08  # the fingers stand this much wider than they were told: something is between them
-CLOSED = 0.1  # a target below this is a grab, which must meet something
+CLOSED = (
+    0.1  # below this the fork is closed, and what must hold something either does or has missed
+)
 
 
 @dataclass(slots=True)
@@ -39,6 +41,7 @@ class Servo:
         self.holding = False
         self._kind = kind
         self._move: _Move | None = None
+        self._tries: tuple[int, int] = (0, 0)
 
     def want(self, bids: Sequence[Bid]) -> list[Message]:
         """The commands for this tick's bid, if there is one; without one the servo holds where it is."""
@@ -63,9 +66,14 @@ class Servo:
             return
         if settled.result == Result.OK:
             move.acknowledged = True
+            return
+        late = settled.result in (Result.STALE, Result.NO_LEASE)
+        ticket, tries = self._tries
+        self._tries = (move.ticket, tries + 1 if ticket == move.ticket else 1)
+        if late and self._tries[1] < TRIES:
+            self._move = None  # not executed; its bid sends it again
         else:
-            lost = settled.result in (None, Result.STALE, Result.NO_LEASE)
-            self._end("link_lost" if lost else "refused")
+            self._end("link_lost" if late or settled.result is None else "refused")
 
     def telemetry(self, telem: Telem) -> None:
         """Where the servo is; ends what has arrived."""
@@ -80,7 +88,11 @@ class Servo:
             return
         if abs(self.at - move.message.target_permille / 1000) <= ARRIVED:
             if abs(self.opening - before) <= SETTLED:
-                grab = not lift and move.command.target < CLOSED
+                grab = (
+                    isinstance(move.command, MoveGrip)
+                    and move.command.must_hold
+                    and self.at < CLOSED
+                )
                 self._end("missed" if grab and not wide else None)
         elif not slewing:
             # held short of its target; twice, as the first may have been on its way before the command

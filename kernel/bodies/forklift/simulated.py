@@ -15,8 +15,8 @@ from typing import Literal
 from firmware_proto.device import Device
 from kernel.bodies.forklift import figures
 from kernel.bodies.forklift.faults import Faults, Line
-from kernel.bodies.forklift.scene import Scene, Thing, usual
-from kernel.bodies.forklift.twin import STEP_S, Truth, Twin
+from kernel.bodies.forklift.scene import Scene, Thing, Truth, usual
+from kernel.bodies.forklift.twin import STEP_S, Twin
 
 Side = Literal["ahead", "left", "right", "behind"]
 BEARING_RAD = {"ahead": 0.0, "left": math.pi / 2, "right": -math.pi / 2, "behind": math.pi}

@@ -8,13 +8,13 @@ from __future__ import annotations
 
 import math
 import random
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 import pymunk
 
-from firmware_proto.device import Pulses
+from firmware_proto.pulses import Pulses
 from kernel.bodies.forklift import figures
-from kernel.bodies.forklift.scene import Scene, Thing
+from kernel.bodies.forklift.scene import Scene, Thing, Truth
 
 STEP_S = 0.005
 WHEEL_LAG_S = 0.04  # a wheel comes up to speed, and slows down, with this time constant
@@ -28,28 +28,6 @@ BATTERY_V, BATTERY_SAG_V, BATTERY_V_PER_S = 8.2, 0.2, 2.0e-4
 
 ROBOT, BEAM, TALL, LOW = 1, 2, 4, 8
 GHOST = 16  # what follows the robot: the beam sees it, nothing touches it
-
-
-@dataclass(frozen=True, slots=True)
-class Sensors:
-    """What the three converter channels read, 0 to 4095."""
-
-    range_adc: int
-    grip_adc: int
-    battery_adc: int
-
-
-@dataclass(frozen=True, slots=True)
-class Truth:
-    """Where the robot really is; for judging and drawing only, the body never sees it."""
-
-    x_cm: float
-    y_cm: float
-    heading_rad: float
-    lift: float
-    grip: float
-    holding: Thing | None
-    range_cm: float | None
 
 
 class _Placed:
@@ -129,7 +107,7 @@ class Twin:
 
     # ---- the robot ------------------------------------------------------------------------------------------
 
-    def advance(self, pulses: Pulses) -> Sensors:
+    def advance(self, pulses: Pulses) -> figures.Sensors:
         """One step of 5 ms with these pulse widths; what the sensors read at its end."""
         gain = STEP_S / WHEEL_LAG_S
         self._left_m_s += (figures.wheel_speed_m_s(pulses.left_us) - self._left_m_s) * gain
@@ -145,11 +123,11 @@ class Twin:
         self._drained_v += BATTERY_V_PER_S * STEP_S * (1 + 20 * abs(speed_cm_s) / 100)
         return self._sensors(abs(self._left_m_s) + abs(self._right_m_s) > 0.01)
 
-    def _sensors(self, loaded: bool) -> Sensors:
+    def _sensors(self, loaded: bool) -> figures.Sensors:
         noise = self._chance.gauss
         volts = figures.range_volts(self._ray_cm())
         battery = BATTERY_V - self._drained_v - (BATTERY_SAG_V if loaded else 0.0)
-        return Sensors(
+        return figures.Sensors(
             figures.to_adc(volts + noise(0, RANGE_NOISE_ADC) * figures.ADC_VOLTS / figures.ADC_MAX),
             round(self._opening * figures.ADC_MAX),
             figures.to_adc(

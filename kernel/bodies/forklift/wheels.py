@@ -20,7 +20,7 @@ from firmware_proto.messages import (
     State,
     Telem,
 )
-from firmware_proto.session import Settled
+from firmware_proto.told import Settled
 from kernel.action.call import Bid, MoveFailure, Rotate, Travel
 from kernel.bodies.forklift.figures import wheel_permille
 
@@ -101,7 +101,8 @@ class Wheels:
             return
         match settled.result:
             case Result.OK:
-                run.seq, run.sent_s = settled.seq, settled.sent_s
+                run.seq = settled.seq
+                run.sent_s += settled.waited_s
                 if self._done_seq == run.seq:
                     self._complete(run)
             case Result.STALE | Result.NO_LEASE:  # not executed; worth another try
