@@ -10,6 +10,7 @@ import asyncio
 import logging
 import signal
 import socket
+import sys
 from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
 from contextlib import suppress
@@ -23,10 +24,9 @@ from daemon.clock import Clock
 from daemon.config import Config
 from daemon.control.messages import OutcomeWord
 from daemon.control.server import ControlServer
-from daemon.loop import Cycle
 from daemon.notify import Notifier
 from daemon.outcome import Following
-from daemon.parts import Parts, assemble
+from daemon.parts import assemble
 from daemon.store import Store
 from daemon.supervise import supervise
 from daemon.understanding import understand
@@ -34,9 +34,32 @@ from daemon.writer import Writer
 from kernel.memory.meaning import Utterance
 
 SETTLE_S: Final = 60.0  # how long a client is kept waiting for an utterance to come to an end
-GRACE_S: Final = 0.2  # for the STOP to leave on the way out
 
 log = logging.getLogger("sayso")
+
+
+def main(config: Config, *, verbose: bool = False) -> int:
+    """Run the daemon until it is told to end; the exit status.
+
+    Raises:
+        StoreError, SocketTakenError, PortError, NoVoiceError, OSError: it cannot start.
+    """
+    logging.basicConfig(
+        level=logging.DEBUG if verbose else logging.INFO,
+        format="%(levelname).1s %(message)s",
+        stream=sys.stderr,
+    )
+    store = Store.open(configuration.store_path(config))
+    return asyncio.run(_run(config, store))
+
+
+async def _run(config: Config, store: Store) -> int:
+    try:
+        app = App(config, store, lambda line: print(line, flush=True))
+    except BaseException:
+        store.close()
+        raise
+    return await app.run()
 
 
 @dataclass(frozen=True, slots=True)
@@ -71,9 +94,9 @@ class App:
         self._notifier = Notifier()
         self._store = store
         self._writer = Writer(store, self._wake_from_thread, self._store_failed)
-        self._parts: Parts = assemble(config, store, self._writer, self._emit)
-        self._cycle: Cycle = self._parts.cycle
-        self._link_up = False
+        self._parts = assemble(config, store, self._writer, self._emit)
+        self._cycle = self._parts.cycle
+        self._parts.link.on_arrival = self._awake.set
 
     async def run(self) -> int:
         """Serve until SIGTERM or SIGINT; the exit status."""
@@ -95,8 +118,9 @@ class App:
                 self._ready()
                 await self._closing.wait()
                 self._notifier.stopping()
-                self._cycle.stop("closing")
-                await asyncio.sleep(GRACE_S if self._cycle.state.moving else 0.02)
+                self._cycle.stop(
+                    "closing"
+                )  # the link says it again, and waits a moment for the answer
                 for task in tasks:
                     task.cancel()
         finally:
@@ -132,10 +156,10 @@ class App:
         return {
             "uptime_s": round(self._clock.now_s(), 1),
             "robot": self._config.robot.uri,
-            "link": "up" if self._link_up else "down",
+            "link": "up" if self._parts.link.connected else self._parts.link.detail,
             "hearing": self._config.hearing.source,
             "lessons": len(lessons),
-            "resting": len(self._parts.resting),
+            "resting": len(self._parts.loaded.resting),
             "speaker": self._cycle.mind.speaker,
             "busy": not self._cycle.settled,
             "stop_epoch": self._parts.link.stop_epoch,
@@ -211,9 +235,13 @@ class App:
 
     def _ready(self) -> None:
         seconds = self._clock.now_s()
-        known = f"{len(self._parts.lessons)} lessons"
-        resting = f", {len(self._parts.resting)} lessons rest" if self._parts.resting else ""
-        for lesson in self._parts.resting:
+        known = f"{len(self._parts.loaded.lessons)} lessons"
+        resting = (
+            f", {len(self._parts.loaded.resting)} lessons rest"
+            if self._parts.loaded.resting
+            else ""
+        )
+        for lesson in self._parts.loaded.resting:
             log.warning("lesson %d rests: %s: %s", lesson.ident, lesson.words, lesson.why)
         line = f"ready after {seconds:.2f} s: {self._config.robot.uri}, {known}{resting}"
         self._announce(line)
@@ -228,7 +256,6 @@ class App:
             case events.Pose():
                 return
             case events.Link(up=up):
-                self._link_up = up
                 level = logging.INFO if up else logging.WARNING
             case events.Error():
                 level = logging.ERROR

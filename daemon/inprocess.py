@@ -43,7 +43,7 @@ class Here:
             self._store.close()
             raise
         self._following: Following | None = None
-        self._run(lambda: self._parts.link.connected, CONNECT_S)
+        self._run(lambda: self._parts.cycle.state.connected, CONNECT_S)
 
     def say(self, text: str, speaker: str = "", *, at_s: float | None = None) -> OutcomeWord:
         """Take an utterance and let time pass until nothing is going on."""

@@ -8,19 +8,24 @@ from pathlib import Path
 from typing import Generic, TypeVar
 
 from daemon import events
-from daemon.config import Config, MindPart
+from daemon.config import Config, ConfigError, MindPart
 from daemon.link import Link, open_link
+from daemon.link.port import AddressError
 from daemon.link.virtual import VirtualLink
 from daemon.loop import Cycle, Wire
-from daemon.speaking.choice import choose
+from daemon.speaking.choice import NoVoiceError, choose
 from daemon.speaking.silent import SilentVoice
 from daemon.speaking.voice import Voice
 from daemon.store import Loaded, Store
 from daemon.writer import AtOnce, Keeper
+from grammars.knowledge import born
+from kernel.action.call import GROUNDINGS
+from kernel.action.discover import load_all
 from kernel.bodies import registry
 from kernel.bodies.forklift import scene
-from kernel.bodies.forklift.scene import Scene
+from kernel.bodies.forklift.scene import Scene, SceneError
 from kernel.memory.lesson import Lesson
+from kernel.memory.settings import Settings
 from kernel.mind import Mind
 
 L = TypeVar("L", bound=Wire)
@@ -36,8 +41,17 @@ class Parts(Generic[L]):
 
 
 def make_mind(settings: MindPart, lessons: tuple[Lesson, ...]) -> Mind:
-    """A fresh mind with these lessons in force."""
-    return Mind(lessons, settings.seed)
+    """A fresh mind with what it is born knowing and these lessons in force."""
+    numbers = Settings(
+        threshold=settings.belief_threshold,
+        desperate_threshold=settings.desperate_threshold,
+        prohibition_threshold=settings.caution_threshold,
+        permission_threshold=settings.permission_threshold,
+        least_preference=settings.preference_threshold,
+        sharpness=settings.sharpness,
+        fade_s=settings.fade_s,
+    )
+    return Mind((*born(), *lessons), settings.seed, numbers)
 
 
 def make_cycle(
@@ -65,23 +79,39 @@ def assemble(
     """For the daemon: the link opens a port once it is served.
 
     Raises:
-        PortError: the robot's address means nothing.
-        SceneError, OSError: the scene cannot be read.
+        ConfigError: the robot's address or scene, or the voice, means nothing or is not there.
     """
-    link = open_link(config.robot.uri, scene=_scene(config))
-    loaded = store.load()
-    cycle = make_cycle(config, loaded, link, choose(config.speaking), keeper, emit)
+    try:
+        link = open_link(config.robot.uri, _scene(config))
+    except AddressError as error:
+        raise ConfigError("configuration", "robot.uri", str(error)) from error
+    try:
+        voice = choose(config.speaking)
+    except NoVoiceError as error:
+        raise ConfigError("configuration", "speaking.voice", str(error)) from error
+    loaded = store.load(abilities())
+    cycle = make_cycle(config, loaded, link, voice, keeper, emit)
     return Parts(cycle, link, loaded)
 
 
 def assemble_virtual(
     config: Config, store: Store, emit: Callable[[events.Event], None]
 ) -> Parts[VirtualLink]:
-    """For one utterance without a daemon: simulated robot, silent voice, virtual time."""
-    link = VirtualLink(scene=_scene(config), seed=config.mind.seed)
-    loaded = store.load()
+    """For one utterance without a daemon: simulated robot, silent voice, virtual time.
+
+    Raises:
+        ConfigError: the scene is not there or means nothing.
+    """
+    link = VirtualLink(_scene(config), config.mind.seed)
+    loaded = store.load(abilities())
     cycle = make_cycle(config, loaded, link, SilentVoice(), AtOnce(store), emit)
     return Parts(cycle, link, loaded)
+
+
+def abilities() -> frozenset[str]:
+    """Names of the grounding functions there are."""
+    load_all("kernel.grounding")
+    return frozenset(GROUNDINGS)
 
 
 def body_name(uri: str) -> str:
@@ -101,4 +131,7 @@ def body_name(uri: str) -> str:
 def _scene(config: Config) -> Scene | None:
     if not config.robot.scene:
         return None
-    return scene.read(Path(config.robot.scene).read_text(encoding="utf-8"))
+    try:
+        return scene.read(Path(config.robot.scene).read_text(encoding="utf-8"))
+    except (OSError, UnicodeDecodeError, SceneError) as error:
+        raise ConfigError(config.robot.scene, "robot.scene", str(error)) from error

@@ -38,17 +38,13 @@ class Understanding:
 
 
 def understand(utterance: Utterance, vocabulary: Vocabulary) -> Understanding:
-    """Parse the text, else the first alternative that parses. Pure, so it may run in another thread."""
-    first: NotUnderstoodError | None = None
-    for text in (utterance.text, *utterance.alternatives):
-        try:
-            parsed = parse(text, vocabulary)
-        except NotUnderstoodError as error:
-            first = first or error
-            continue
-        readback = render(parsed.meaning, "teacher")
-        return Understanding(utterance, parsed.kind, readback, Heard(utterance, parsed.meaning))
-    return Understanding(utterance, "not_understood", "", None, first)
+    """Parse it. Hearing has chosen among its alternatives before. Pure, so it may run in another thread."""
+    try:
+        parsed = parse(utterance.text, vocabulary)
+    except NotUnderstoodError as error:
+        return Understanding(utterance, "not_understood", "", None, error)
+    readback = render(parsed.meaning, "teacher")
+    return Understanding(utterance, parsed.kind, readback, Heard(utterance, parsed.meaning))
 
 
 def halts(meaning: Meaning) -> bool:

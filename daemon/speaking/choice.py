@@ -11,8 +11,8 @@ from daemon.speaking.voice import Voice
 class NoVoiceError(Exception):
     """The voice asked for is not installed."""
 
-    def __init__(self, name: str, hint: str) -> None:
-        super().__init__(f"speaking.voice = {name!r}: {hint}")
+    def __init__(self, program: str, remedy: str) -> None:
+        super().__init__(f"{program} is not installed; {remedy}")
 
 
 def choose(speaking: Speaking) -> Voice:
@@ -24,5 +24,5 @@ def choose(speaking: Speaking) -> Voice:
     if speaking.voice == "silent" or (speaking.voice == "auto" and not installed()):
         return SilentVoice()
     if not installed():
-        raise NoVoiceError("espeak", "espeak-ng is not installed (apt install espeak-ng)")
+        raise NoVoiceError("espeak-ng", "apt install espeak-ng, or set speaking.voice to silent")
     return EspeakVoice(speaking.words_per_minute)
