@@ -9,7 +9,7 @@ from kernel.action.step import DIRECTIVES, Run
 from kernel.action.verdict import Verdict
 from kernel.commons import Commons
 from kernel.memory.attention import Failure, Focus
-from kernel.memory.lesson import Lesson
+from kernel.memory.lesson import Lesson, Operator
 from kernel.memory.recall import may_assume, missing, referents
 from kernel.memory.reply import Reason
 from kernel.net.graphlet import Graphlet
@@ -25,6 +25,14 @@ class Frame:
         self, commons: Commons, focus: Focus, binding: Binding, within: tuple[Lesson, ...] = ()
     ) -> None:
         self.commons, self.focus, self.binding, self.within = commons, focus, binding, within
+
+    @property
+    def ordered(self) -> bool:
+        """What is done here descends from the utterance; reactions and what a veto does instead are the robot's own."""
+        operators = (lesson.content for lesson in self.within)
+        return not any(
+            isinstance(o, Operator) and (o.trigger.tag == "NOTE" or o.prohibits) for o in operators
+        )
 
     def chain(self, chain: Chain) -> Run:
         """Play after play; a failure goes back to the nearest FIND that has another binding."""
@@ -96,8 +104,14 @@ class Frame:
 
     def directive(self, directive: Directive) -> Run:
         """Post the directive: its graphlet becomes nodes, its code runs."""
-        step = RunningStep(self, directive)
-        return (yield from DIRECTIVES[directive.tag](step))
+        code = DIRECTIVES.get(directive.tag)
+        if code is None:
+            self.explain("no_way", None, directive.tag)
+            return Verdict.FAILED
+        verdict = yield from code(RunningStep(self, directive))
+        if verdict is Verdict.PUNTED and directive.tag != "PUNT":
+            return Verdict.FAILED  # what was punted is the chain below; this one may try another way
+        return verdict
 
     def options(self, find: Directive, later: Sequence[Directive]) -> Iterator[Binding]:
         """Bindings for a FIND, best first; something new only where nothing is known and it may be assumed."""

@@ -58,7 +58,7 @@ class RunningStep:
         else:
             frame.binding = frame.instantiate(graphlet)
         self.node = frame.binding[graphlet.main]
-        if directive.tag == "DO" and self.focus.speech_act is not None:
+        if directive.tag == "DO" and self.focus.speech_act is not None and frame.ordered:
             memory.net.link(self.focus.speech_act, "cmd", self.node)
         memory.changed()
 
@@ -219,6 +219,9 @@ class RunningStep:
         verdict = yield from frame.chain(advice.operator.chain)
         if verdict.ok or advice.operator.trigger.tag in ("POST", "NOTE"):
             self.focus.failure = before
+        # A veto stands even where the robot fails at what it should do instead.
+        if verdict is Verdict.FAILED and advice.operator.forbids:
+            return Verdict.PUNTED
         return verdict
 
     # -- what directives ask for -----------------------------------------------------------

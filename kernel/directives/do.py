@@ -37,8 +37,11 @@ def _act(step: Step) -> Run:
     while True:
         for operator in step.operators("DO"):
             tried = True
-            if (yield from step.run(operator)) is Verdict.SUCCEEDED:
-                return Verdict.SUCCEEDED
+            verdict = yield from step.run(operator)
+            if verdict is Verdict.SUCCEEDED:
+                return verdict
+            if verdict is Verdict.PUNTED:
+                return Verdict.FAILED
         if tried or not step.desperate():
             break
     if not tried:

@@ -8,12 +8,15 @@ from kernel.action.verdict import Verdict
 
 @directive("NOTE")
 def note(step: Step) -> Run:
-    """Try NOTE operators until one succeeds; having none, or none that succeeds, is no failure.
+    """Try NOTE operators until one succeeds; having none, or none that succeeds, is no failure. A PUNT ends it.
 
     Source: Connell 2019, section 3: "If no operators remain, the top-level NOTE is still considered to have
-    succeeded." A PUNT is an operator that fails.
+    succeeded."
     """
     for operator in step.operators("NOTE"):
-        if (yield from step.run(operator)).ok:
+        verdict = yield from step.run(operator)
+        if verdict is Verdict.PUNTED:
+            return verdict
+        if verdict.ok:
             break
     return Verdict.SUCCEEDED

@@ -48,6 +48,11 @@ class Operator:
         """An ANTE operator that ends in PUNT."""
         return self.trigger.tag == "ANTE" and any(d.tag == "PUNT" for d in self.chain.directives())
 
+    @property
+    def forbids(self) -> bool:
+        """It prohibits without looking first: no CHK stands before its PUNT."""
+        return self.prohibits and not any(d.tag == "CHK" for d in self.chain.directives())
+
 
 Content = Rule | Operator | Graphlet  # a Graphlet is a fact
 LessonKind = Literal[
