@@ -26,9 +26,10 @@ from daemon.dialogue import (
     You,
     load,
 )
-from daemon.judgement import Outcome, judge
+from daemon.judgement import Outcome, Turn, judge
 from daemon.narration import entered, judged, told
-from daemon.stage import Stage, change
+from daemon.recorder import change
+from daemon.stage import Stage
 from kernel.memory.meaning import Utterance
 
 EXIT_FAILED: Final = 1
@@ -48,11 +49,13 @@ class Played:
         return all(outcome.ok for outcome in self.outcomes)
 
 
-def perform(act: Act, stage: Stage) -> Played:
-    """Play one act on a stage: its input line, the time after it, its expectations."""
+def perform(act: Act, stage: Stage) -> Turn:
+    """Play one act on a stage: its input line, and the time after it. What happened."""
     stage.begin_turn()
     match act.step:
         case You(text=text, speaker=speaker):
+            if speaker == "":
+                stage.meet_stranger()
             stage.hear(Utterance(text, speaker or "", stage.now_s))
         case Audio(path=path):
             stage.play(path)
@@ -65,8 +68,7 @@ def perform(act: Act, stage: Stage) -> Played:
         case LinkSwitch(up=False):
             stage.parts.link.cut()
     stage.run(act.seconds)
-    expected = [line.expectation for line in act.expected]
-    return Played(act, judge(expected, stage.turn()))
+    return stage.turn()
 
 
 def rehearse(
@@ -91,7 +93,8 @@ def rehearse(
         for act in acts(dialogue.steps):
             if act.step is not None:
                 enter(dialogue.lines[act.step.line])
-            played.append(perform(act, stage))
+            turn = perform(act, stage)
+            played.append(Played(act, judge([line.expectation for line in act.expected], turn)))
             for outcome in played[-1].outcomes:
                 check(outcome)
     return tuple(played)

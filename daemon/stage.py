@@ -3,86 +3,58 @@
 from __future__ import annotations
 
 import heapq
-import math
 from collections.abc import Callable
+from functools import partial
 from itertools import count
+from pathlib import Path
 from types import TracebackType
-from typing import Final, Self
+from typing import TYPE_CHECKING, Final, Self
 
 from daemon import events as ev
 from daemon.config import Config, MindPart, Robot
-from daemon.dialogue import Insert, Place, Remove, WorldStep
+from daemon.hearing.events import Heard, HearingEvent, NotHeard, StopWord
 from daemon.judgement import Turn
 from daemon.link.virtual import VirtualLink
 from daemon.motion import Sample
 from daemon.parts import Parts, assemble_virtual
+from daemon.recorder import SAMPLE_S, Recorder, sample
 from daemon.store import Store
 from kernel.bodies.forklift.simulated import World
 from kernel.bodies.forklift.twin import STEP_S
 from kernel.memory.meaning import Utterance
 
+if TYPE_CHECKING:
+    from daemon.virtual_ear import VirtualEar
+
 TICK_S: Final = 1 / 30
-SAMPLE_S: Final = 0.05
 CONNECT_S: Final = 3.0
 SETTLE_S: Final = 0.5
 """Idle for so long is idle: a sensor's next report, and what the mind makes of it, come within that."""
 AT_MOST_S: Final = 60.0
 
 
-def sample(world: World, now_s: float) -> Sample:
-    """Where the robot really is."""
-    truth = world.truth()
-    held = truth.holding
-    named = (held.colour, held.noun, held.name) if held else ()
-    return Sample(
-        now_s,
-        truth.x_cm,
-        truth.y_cm,
-        math.degrees(truth.heading_rad),
-        truth.lift * 1000,
-        truth.grip * 1000,
-        " ".join(word for word in named if word),
-    )
-
-
-def change(world: World, step: WorldStep) -> None:
-    """Do to the world what a `world:` line says."""
-    match step:
-        case Place(thing=thing):
-            world.place(
-                thing.noun,
-                step.distance_m * 100,
-                step.bearing,
-                colour=thing.colour or None,
-                name=thing.name or None,
-                low=thing.low,
-                following=step.following,
-            )
-        case Insert(thing=thing):
-            world.between_fingers(
-                thing.noun, colour=thing.colour or None, name=thing.name or None, low=thing.low
-            )
-        case Remove(within_m=None):
-            world.clear()
-        case Remove(within_m=float(within_m)):
-            world.nothing_within(within_m * 100)
-
-
 class Stage:
-    """One rehearsal's daemon. Time passes only in `run`.
+    """One rehearsal's daemon. Time passes only in `run` and `restart`.
 
     Args:
         seed: of the mind's choices, the sensors' noise and the line.
         emit: told of every event.
+        watch: told of every sample of the robot's true pose.
+        engine: of the recogniser, started with the first recording.
     """
 
-    def __init__(self, seed: int, emit: Callable[[ev.Event], None]) -> None:
-        self._seed = seed
-        self._watch = emit
+    def __init__(
+        self,
+        seed: int,
+        emit: Callable[[ev.Event], None],
+        watch: Callable[[Sample], None] = lambda _: None,
+        engine: str = "auto",
+    ) -> None:
+        self._seed, self._tell = seed, emit
         self._store = Store.in_memory()
-        self._turn_began_s = 0.0
-        self._events: list[ev.Event] = []
-        self._samples: list[Sample] = []
+        self._engine = engine
+        self._ear: VirtualEar | None = None
+        self._recorder = Recorder(watch)
         self._due: list[tuple[float, int, Callable[[], None]]] = []
         self._order = count()
         self._steps = 0
@@ -109,6 +81,22 @@ class Stage:
         self._parts.cycle.hear(utterance, source)
         self._tick()
 
+    def meet_stranger(self) -> None:
+        """Whoever speaks next is not identified."""
+        self._parts.cycle.mind.speaker = ""
+
+    def play(self, path: Path) -> None:
+        """A recording begins now; what is heard in it arrives when its sound is there.
+
+        Raises:
+            RecordingError: the file cannot be heard.
+            EngineError: the recogniser cannot be used.
+        """
+        recorded = self._recogniser().hear(path, self._parts.cycle.vocabulary)
+        for known_s, event in recorded.events:
+            self.at(self.now_s + known_s, partial(self._heard, event))
+        self.at(self.now_s + recorded.length_s, lambda: None)
+
     def at(self, when_s: float, act: Callable[[], None]) -> None:
         """Do it when that time comes."""
         heapq.heappush(self._due, (when_s, next(self._order), act))
@@ -124,14 +112,11 @@ class Stage:
 
     def begin_turn(self) -> None:
         """Forget what happened up to now."""
-        self._events, self._samples = [], [sample(self.world, self.now_s)]
-        self._turn_began_s = self.now_s
+        self._recorder.begin(sample(self.world, self.now_s))
 
     def turn(self) -> Turn:
         """What has happened since the turn began."""
-        last = sample(self.world, self.now_s)
-        samples = (*self._samples, last) if last.t_s > self._samples[-1].t_s else self._samples
-        return Turn(tuple(self._events), tuple(samples), self._turn_began_s, self.now_s)
+        return self._recorder.turn(sample(self.world, self.now_s))
 
     def restart(self) -> None:
         """The store is kept, everything else is new."""
@@ -142,6 +127,29 @@ class Stage:
         """Tell where the robot ended up, and give up the store."""
         self._emit(self._parts.cycle.pose)
         self._store.close()
+        if self._ear is not None:
+            self._ear.close()
+
+    def _recogniser(self) -> VirtualEar:
+        """Made when it is needed: a typed rehearsal starts without it."""
+        if self._ear is None:
+            from daemon.virtual_ear import VirtualEar
+
+            self._ear = VirtualEar(self._engine)
+        return self._ear
+
+    def _heard(self, event: HearingEvent) -> None:
+        match event:
+            case StopWord(word=word):
+                self._parts.cycle.stop(f"heard {word}")
+                self._tick()
+            case Heard():
+                utterance = Utterance(
+                    event.text, "", self.now_s, event.confidence, event.alternatives
+                )
+                self.hear(utterance, "heard")
+            case NotHeard(text=text, reason=reason):
+                self._emit(ev.NotUnderstood(t=self.now_s, text=text, reason=reason))
 
     def _begin(self) -> None:
         config = Config(robot=Robot(uri="sim://forklift"), mind=MindPart(seed=self._seed))
@@ -162,7 +170,7 @@ class Stage:
             self._next_tick_s += TICK_S
             self._tick()
         if self._steps % round(SAMPLE_S / STEP_S) == 0:
-            self._samples.append(sample(self.world, self.now_s))
+            self._recorder.move(sample(self.world, self.now_s))
 
     def _tick(self) -> None:
         self._parts.cycle.step(self.now_s)
@@ -170,8 +178,8 @@ class Stage:
             self._busy_s = self.now_s
 
     def _emit(self, event: ev.Event) -> None:
-        self._events.append(event)
-        self._watch(event)
+        self._recorder.happen(event)
+        self._tell(event)
 
     def __enter__(self) -> Self:
         return self

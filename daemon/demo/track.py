@@ -130,6 +130,11 @@ def box(
     return tuple((x_cm + x * cos - y * sin, y_cm + x * sin + y * cos) for x, y in corners)
 
 
+def colour(name: str | None) -> str:
+    """A colour of rich for a colour of the world."""
+    return COLOURS.get(name, name) if name else "white"
+
+
 def _edges(corners: Sequence[Point]) -> Iterator[tuple[Point, Point]]:
     return zip(corners, (*corners[1:], corners[0]), strict=True)
 

@@ -1,0 +1,94 @@
+"""Recordings in virtual time: the real recogniser hears them, at the times their own sound has."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path
+from types import TracebackType
+from typing import Final, Self
+
+import platformdirs
+
+from daemon.hearing import recording
+from daemon.hearing.choice import choose_engine
+from daemon.hearing.events import Heard, HearingEvent, NotHeard
+from daemon.hearing.recogniser import RATE_HZ
+from daemon.hearing.transcribe import Transcriber
+from daemon.understanding import understand
+from grammars.finite_state import automaton
+from grammars.vocabulary import Vocabulary
+from kernel.memory.meaning import Utterance
+
+MODELS: Final = "models"  # folder of installed models, in the user's data directory
+
+
+@dataclass(frozen=True, slots=True)
+class Recorded:
+    """What was heard in a recording, with the moment at which each thing is known; its length, s."""
+
+    events: tuple[tuple[float, HearingEvent], ...]
+    length_s: float
+
+
+class VirtualEar:
+    """One recogniser for all recordings of a rehearsal; its process starts with the first.
+
+    Args:
+        engine: "auto", "vosk" or "pocketsphinx".
+    """
+
+    def __init__(self, engine: str = "auto") -> None:
+        self._engine = choose_engine(engine, "", (platformdirs.user_data_path("sayso") / MODELS,))
+        self._transcriber: Transcriber | None = None
+        self._vocabulary: Vocabulary | None = None
+
+    @property
+    def engine(self) -> str:
+        """The engine's name."""
+        return self._engine.name
+
+    def hear(self, path: Path, vocabulary: Vocabulary) -> Recorded:
+        """Hear a recording, knowing these words.
+
+        Raises:
+            RecordingError: the file cannot be heard.
+            EngineError: the engine cannot be used.
+        """
+        samples = recording.read(path)
+        ear = self._knowing(vocabulary)
+
+        def parses(text: str) -> bool:
+            return understand(Utterance(text), vocabulary).heard is not None
+
+        known = tuple((known_s(event), event) for event in ear.transcribe(samples, parses))
+        return Recorded(known, len(samples) / RATE_HZ)
+
+    def close(self) -> None:
+        """End the recogniser."""
+        if self._transcriber is not None:
+            self._transcriber.close()
+            self._transcriber = None
+
+    def _knowing(self, vocabulary: Vocabulary) -> Transcriber:
+        if self._transcriber is None:
+            self._transcriber = Transcriber(self._engine, automaton(vocabulary))
+        elif vocabulary != self._vocabulary:
+            self._transcriber.set_language(automaton(vocabulary))
+        self._vocabulary = vocabulary
+        return self._transcriber
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(
+        self,
+        kind: type[BaseException] | None,
+        error: BaseException | None,
+        trace: TracebackType | None,
+    ) -> None:
+        self.close()
+
+
+def known_s(event: HearingEvent) -> float:
+    """The audio time at which an event is there."""
+    return event.decided_s if isinstance(event, Heard | NotHeard) else event.at_s
