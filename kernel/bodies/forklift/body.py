@@ -14,13 +14,15 @@ from kernel.bodies.forklift.wheels import Wheels
 from kernel.bodies.registry import Body, body
 
 MOVING = ("wheels", "lift", "grip")
+REMEMBERED = 1000  # ended tickets
 
 
 @body("forklift")
 class Forklift(Body):
     """Wheels, lift, gripper, rangefinder, battery.
 
-    An ended ticket stays in done or failed until its bid is gone; a bid for it is ignored meanwhile.
+    An ended ticket stays in done or failed until its bid is gone. It never runs again: a later bid for it only has its
+    end told again.
     """
 
     def __init__(self) -> None:
@@ -30,7 +32,8 @@ class Forklift(Body):
         self._last: Telem | None = None
         self._x_m = self._y_m = self._heading_rad = 0.0
         self._ended: dict[int, MoveFailure | None] = {}
-        self._reported: frozenset[int] = frozenset()
+        self._telling: set[int] = set()
+        self._told: frozenset[int] = frozenset()
 
     def sense(self, messages: Iterable[Message], now_s: float, connected: bool) -> BodyState:
         """The state after these messages."""
@@ -48,17 +51,18 @@ class Forklift(Body):
             self._fail_all("link_lost")
             self._last = None
         self._collect()
-        self._reported = frozenset(self._ended)
+        self._told = frozenset(self._telling)
         return self._state(now_s)
 
     def act(self, bids: Sequence[Bid], now_s: float) -> list[Message]:
         """The commands for the complete set of this tick's winning bids."""
         bidding = {bid.ticket for bid in bids}
-        for ticket in self._reported - bidding:
-            self._ended.pop(ticket, None)
+        self._telling -= self._told - bidding
+        self._telling |= bidding & self._ended.keys()
         live = [b for b in bids if b.resource in MOVING and b.ticket not in self._ended]
         if not self._connected:
-            self._ended.update((bid.ticket, "link_lost") for bid in live)
+            for bid in live:
+                self._end(bid.ticket, "link_lost")
             return []
         messages = self._wheels.want([b for b in live if b.resource == "wheels"], now_s)
         messages += self._lift.want([b for b in live if b.resource == "lift"])
@@ -76,8 +80,16 @@ class Forklift(Body):
 
     def _collect(self) -> None:
         for part in (self._wheels, self._lift, self._grip):
-            self._ended.update(part.outcomes)
+            for ticket, why in part.outcomes:
+                self._end(ticket, why)
             part.outcomes.clear()
+
+    def _end(self, ticket: int, why: MoveFailure | None) -> None:
+        self._ended[ticket] = why
+        self._telling.add(ticket)
+        while len(self._ended) > REMEMBERED:
+            self._telling.discard(forgotten := next(iter(self._ended)))
+            del self._ended[forgotten]
 
     def _telemetry(self, telem: Telem, now_s: float) -> None:
         last = self._last
@@ -119,6 +131,6 @@ class Forklift(Body):
             battery_v=None
             if last is None
             else last.battery_adc / figures.ADC_MAX * figures.BATTERY_FULL_SCALE_V,
-            done=frozenset(ticket for ticket, why in self._ended.items() if why is None),
-            failed={ticket: why for ticket, why in self._ended.items() if why is not None},
+            done=frozenset(t for t in self._telling if self._ended[t] is None),
+            failed={t: why for t in sorted(self._telling) if (why := self._ended[t]) is not None},
         )
