@@ -20,6 +20,7 @@ DATA = [
     "grammars/forms/*.lark",
     "grammars/words/*.txt",
     "grammars/knowledge/*.txt",
+    "grammars/knowledge/*.net",
     "daemon/demo/**/*.txt",
     "daemon/demo/audio/*.wav",
     "daemon/hearing/models/vosk-tiny/**/*",

@@ -1,0 +1,52 @@
+"""A typed command of two to four words: from the text to the first byte on the wire, everything in between included."""
+
+from _timing import collect, report
+
+from daemon.config import Config
+from daemon.parts import assemble_virtual
+from daemon.store import Store
+from kernel.memory.meaning import Utterance
+
+COMMANDS = [
+    "drive forward",
+    "turn left",
+    "drive backwards slowly",
+    "turn right twice",
+    "drive forward very slowly",
+]
+TICK_S = 1 / 30
+REPEATS = 30
+
+
+def main() -> None:
+    store = Store.in_memory()
+    parts = assemble_virtual(Config(), store, lambda event: None)
+    cycle, link = parts.cycle, parts.link
+    if not link.connect():
+        raise SystemExit("the simulated robot does not answer")
+
+    def pass_time(seconds: float) -> None:
+        until_s = link.now_s + seconds
+        while link.now_s < until_s:
+            link.advance(TICK_S)
+            cycle.step(link.now_s)
+
+    pass_time(1.0)
+    times: list[float] = []
+    for text in COMMANDS * REPEATS:
+        before = len(link.sent)
+
+        def command(text: str = text) -> None:
+            cycle.hear(Utterance(text, at_s=link.now_s))
+            cycle.step(link.now_s)
+
+        times += collect(command, 1)
+        if len(link.sent) == before:
+            raise SystemExit(f"{text}: nothing was sent")
+        pass_time(6.0)
+    report("typed command to first byte", times, "target < 10 ms median")
+    store.close()
+
+
+if __name__ == "__main__":
+    main()
