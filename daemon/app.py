@@ -24,6 +24,8 @@ from daemon.clock import Clock
 from daemon.config import Config
 from daemon.control.messages import OutcomeWord
 from daemon.control.server import ControlServer
+from daemon.link import Link
+from daemon.loop import Cycle
 from daemon.notify import Notifier
 from daemon.outcome import Following
 from daemon.parts import assemble
@@ -129,6 +131,27 @@ class App:
             self._store.close()
         return 0
 
+    # For whoever runs it in his own process (daemon.demo.live).
+
+    @property
+    def cycle(self) -> Cycle:
+        """For looking: idle, vocabulary, pose."""
+        return self._cycle
+
+    @property
+    def link(self) -> Link:
+        """The link to the robot."""
+        return self._parts.link
+
+    @property
+    def now_s(self) -> float:
+        """The time its events carry, s."""
+        return self._clock.now_s()
+
+    def close(self) -> None:
+        """End `run` as SIGTERM does."""
+        self._closing.set()
+
     # What clients may ask for (daemon.control.server.Desk).
 
     def subscribe(self, see: Callable[[events.Event], None]) -> Callable[[], None]:
@@ -189,20 +212,16 @@ class App:
         """Parse one utterance after another beside the loop."""
         while True:
             waiting = await self._utterances.get()
+            utterance = waiting.utterance
             try:
                 understanding = await self._loop.run_in_executor(
-                    self._parser, understand, waiting.utterance, self._cycle.vocabulary
-                )
-                self._cycle.take(understanding, waiting.epoch, waiting.source)
-                self._writer.log(
-                    waiting.utterance.at_s,
-                    waiting.utterance.text,
-                    waiting.utterance.speaker,
-                    waiting.source,
-                    understanding.kind,
+                    self._parser, understand, utterance, self._cycle.vocabulary
                 )
             except Exception as error:  # one sentence that breaks the parser must not end hearing
-                self._failed("understanding", f"{type(error).__name__}: {error}")
+                understanding = self._cycle.puzzled(utterance, error)
+            self._cycle.take(understanding, waiting.epoch, waiting.source)
+            at_s, text, speaker = utterance.at_s, utterance.text, utterance.speaker
+            self._writer.log(at_s, text, speaker, waiting.source, understanding.kind)
             if not waiting.taken.done():
                 waiting.taken.set_result(None)
             self._awake.set()

@@ -55,9 +55,11 @@ class MindPart(Part, frozen=True, forbid_unknown_fields=True):
     seed: Annotated[int, msgspec.Meta(ge=0)] = 0
     owner: str = ""
     belief_threshold: Fraction = 0.5
+    desperate_threshold: Fraction = 0.25
     caution_threshold: Fraction = 0.2
     permission_threshold: Fraction = 0.8
     preference_threshold: Fraction = 0.2
+    sharpness: Annotated[float, msgspec.Meta(ge=0.0, le=100.0)] = 1.0
     fade_s: Annotated[float, msgspec.Meta(gt=0.0, le=3600.0)] = 30.0
 
 

@@ -15,6 +15,8 @@ from daemon.speaking.voice import Voice
 from daemon.telling import from_record, from_reply, pose
 from daemon.understanding import Understanding, halts, is_stop, understand
 from daemon.writer import Keeper, Kept, NotKept
+from firmware_proto.told import SessionState
+from grammars.errors import NotUnderstoodError
 from grammars.render import render
 from grammars.replies import say
 from grammars.vocabulary import from_policy
@@ -28,6 +30,7 @@ if TYPE_CHECKING:
     from kernel.bodies.registry import Body
     from kernel.mind import Mind
 
+SAY_AGAIN: Final = "Please say that again."
 POSE_EVERY_S: Final = 0.1  # poses told while something moves; fine enough to draw a track
 SOURCES_KEPT: Final = 32  # utterances whose origin is remembered for the lessons they become
 
@@ -38,6 +41,10 @@ class Wire(Protocol):
     @property
     def connected(self) -> bool:
         """Up and armed."""
+
+    @property
+    def state(self) -> SessionState | None:
+        """Of the present attempt; None between attempts."""
 
     @property
     def detail(self) -> str:
@@ -91,6 +98,7 @@ class Cycle:
         self._sources: dict[str, str] = {}
         self._busy = False
         self._up: bool | None = None
+        self._down_told: set[str] = set()
         self._posed: events.Pose | None = None
         self.now_s = 0.0
         self.state = BodyState()
@@ -140,9 +148,27 @@ class Cycle:
     def hear(self, utterance: Utterance, source: str = "typed") -> Understanding:
         """Take an utterance: stop words act before they are understood; what is not understood moves nothing."""
         epoch = self.begin(utterance, source)
-        understanding = understand(utterance, self.vocabulary)
+        try:
+            understanding = understand(utterance, self.vocabulary)
+        except Exception as error:
+            understanding = self.puzzled(utterance, error)
         self.take(understanding, epoch, source)
         return understanding
+
+    def puzzled(self, utterance: Utterance, error: Exception) -> Understanding:
+        """The parser itself broke on it: told, and the sentence counts as not understood."""
+        text = f"{utterance.text!r}: {type(error).__name__}: {error}"
+        self._emit(events.Error(t=self.now_s, part="understanding", text=text))
+        return Understanding(
+            utterance, "not_understood", "", None, NotUnderstoodError(utterance.text)
+        )
+
+    def unclear(self, text: str, reason: str, *, again: bool) -> None:
+        """Something was said that must not act. reason: for a person; again: ask to say it again."""
+        self._emit(events.NotUnderstood(t=self.now_s, text=text, reason=reason))
+        if again:
+            self._emit(events.Question(t=self.now_s, text=SAY_AGAIN))
+            self._speech.add(SAY_AGAIN)
 
     def begin(self, utterance: Utterance, source: str = "typed") -> int:
         """The first half of `hear`: report it, stop if it is a stop word; the stop epoch it belongs to."""
@@ -267,9 +293,17 @@ class Cycle:
         self.vocabulary = from_policy(self._mind.policy)
 
     def _watch_link(self, now_s: float) -> None:
-        if self._link.connected != self._up:
-            self._up = self._link.connected
-            self._emit(events.Link(t=now_s, up=self._up, detail=self._link.detail))
+        """Told: coming up, going down, and while it is down each new reason once."""
+        up, detail = self._link.connected, self._link.detail
+        first, changed = self._up is None, up != self._up
+        self._up = up
+        if up:
+            self._down_told.clear()
+        opening = self._link.state is SessionState.OPENING
+        new = not up and not opening and detail not in self._down_told
+        self._down_told.add(detail)
+        if (changed and (up or not first)) or (new and not first):
+            self._emit(events.Link(t=now_s, up=up, detail=detail))
 
     def _watch_pose(self, now_s: float, *, told: bool) -> None:
         """At the end of every action, and now and then while something moves."""
