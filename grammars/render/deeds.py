@@ -28,6 +28,8 @@ _SIZES: Final = {
     "half": "halfway",
     "more": "further",
 }
+# Directions that before an amount would mean "roughly".
+_APPROXIMATE: Final = ("around", "about")
 # Directions said before what they lead past: "go out the door".
 _LEADING: Final = ("out", "in", "inside", "off", "over", "down", "up")
 _COUNTS: Final = {"1": "once", "2": "twice"}
@@ -50,12 +52,15 @@ def deed(telling: Telling, name: str, form: VerbForm = "base") -> str:
 def _arguments(telling: Telling, term: Term) -> list[str]:
     obj, dest, cmd = (linked(term, role) for role in ("obj", "dest", "cmd"))
     parts = []
-    spoken = telling.term(obj).literal if obj else None
-    what = literally(spoken) if spoken is not None else thing(telling, obj) if obj else ""
+    what = _object(telling, obj) if obj else ""
     if dest and word(term) in _GIVING:
         parts += [thing(telling, dest), what]
     else:
-        ways = _directions(telling, term)
+        ways = [
+            degree(telling, way.name) + word(way)
+            for way in telling.about(term.name, "dir")
+            if not (word(way) in _APPROXIMATE and telling.about(term.name, "amt"))
+        ]
         leading = [way for way in ways if what and word(term) in _GOING and way in _LEADING]
         parts += [*leading, what, *(way for way in ways if way not in leading)]
         parts += [f"to {thing(telling, dest)}" if dest else ""]
@@ -67,15 +72,26 @@ def _arguments(telling: Telling, term: Term) -> list[str]:
     return [part for part in parts if part]
 
 
-def _directions(telling: Telling, term: Term) -> list[str]:
-    return [degree(telling, way.name) + word(way) for way in telling.take(term.name, "dir")]
+def _object(telling: Telling, name: str) -> str:
+    """Quoted speech, a thing, or the whereabouts of one: "where my phone is"."""
+    term = telling.term(name)
+    if term.literal is not None:
+        return literally(term.literal)
+    sought = linked(term, "loc")
+    if sought and not term.lex:
+        telling.stated.add(name)
+        subject = thing(telling, sought, "subject")
+        return f"where {subject} {be(subject)}"
+    return thing(telling, name)
 
 
 def _modifiers(telling: Telling, term: Term) -> list[str]:
-    """Place, amount, degree, manner and count, in this order."""
+    """Place, amount, degree, manner and count; "turn 10 degrees around", as "around 10" is roughly 10."""
     name, verb = term.name, word(term)
     places = [place(telling, where) for where in telling.take(name, "loc")]
     amounts = [_amount(amount, verb) for amount in telling.take(name, "amt")]
+    if amounts:
+        amounts += [word(way) for way in telling.about(name, "dir") if word(way) in _APPROXIMATE]
     degrees = [_SIZES.get(word(size), word(size)) for size in telling.take(name, "deg")]
     manners = [degree(telling, how.name) + word(how) for how in telling.take(name, "mod")]
     counts = [

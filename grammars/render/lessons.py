@@ -4,12 +4,13 @@ from __future__ import annotations
 
 from typing import Final
 
+from grammars.build import particles
 from grammars.hedges import BELIEF, PREFERENCE
 from grammars.render.clauses import conditions
 from grammars.render.deeds import deed
 from grammars.render.procedures import procedure, without
 from grammars.render.telling import Telling, Voice, linked, word
-from grammars.render.things import thing
+from grammars.render.things import literally, pronoun, thing
 from kernel.memory.lesson import Operator, Rule
 from kernel.net.graphlet import Graphlet, Term
 
@@ -30,7 +31,7 @@ def operator(content: Operator, voice: Voice) -> str:
     telling = Telling(described, (*content.enablement, *content.unless), voice)
     match content.trigger.tag:
         case "DO":
-            return _procedure(telling, content, f"to {deed(telling, _main(content))}")
+            return _procedure(telling, content, _goal(telling, content))
         case "NOTE":
             assert trigger is not None
             lead = "if" if voice == "teacher" else "when"
@@ -63,7 +64,7 @@ def shortened(content: Operator, act: str) -> list[str]:
         case "ANTE" if content.prohibits:
             described = (content.trigger.graphlet,) if content.trigger.graphlet else ()
             telling = Telling(described, content.unless, "robot")
-            if (cause := _teller(telling, content)) is not None:
+            if (cause := _teller(content)) is not None:
                 return [f"I will not always obey {thing(telling, linked(cause, 'agt'))}"]
             return [f"I will not {act}", f"I will not always {verb}"]
         case "ALLOW":
@@ -116,6 +117,16 @@ def _advice(telling: Telling, content: Operator) -> str:
     return f"you {strength} {said}" if strength else said
 
 
+def _goal(telling: Telling, content: Operator) -> str:
+    """ "To dance"; where the verb is a phrase of the teacher's own, "when I say "make way""."""
+    trigger = content.trigger.graphlet
+    phrase = word(telling.term(_main(content)))
+    if trigger and len(trigger.terms) == 1 and " " in phrase and phrase not in particles():
+        speaker = pronoun(telling, "me", "subject")
+        return f"when {speaker} say {literally(phrase)}"
+    return f"to {deed(telling, _main(content))}"
+
+
 def _procedure(telling: Telling, content: Operator, goal: str) -> str:
     enabled = _enabled(telling, content)
     return f"{goal}{enabled}, {_advice(telling, content)}{_except(telling, content)}"
@@ -123,7 +134,7 @@ def _procedure(telling: Telling, content: Operator, goal: str) -> str:
 
 def _around(telling: Telling, content: Operator) -> str:
     when = "before" if content.trigger.tag == "ANTE" else "after"
-    cause = _teller(telling, content)
+    cause = _teller(content)
     act = (
         f"{_self(telling)} {deed(telling, _main(content))}"
         if cause is None
@@ -133,9 +144,10 @@ def _around(telling: Telling, content: Operator) -> str:
     return f"{when} {act}{enabled}, {_advice(telling, content)}{_except(telling, content)}"
 
 
-def _teller(telling: Telling, content: Operator) -> Term | None:
+def _teller(content: Operator) -> Term | None:
     """The speech act that the trigger's action came from, if the trigger asks for one."""
-    return next((t for t in telling.terms.values() if linked(t, "cmd") == _main(content)), None)
+    trigger = content.trigger.graphlet or ()
+    return next((term for term in trigger if linked(term, "cmd") == _main(content)), None)
 
 
 def _told(telling: Telling, cause: Term) -> str:
@@ -149,7 +161,7 @@ def _told(telling: Telling, cause: Term) -> str:
 def _prohibition(telling: Telling, content: Operator) -> str:
     instead = without(content.chain, "PUNT")
     robot = telling.voice == "robot"
-    cause = _teller(telling, content)
+    cause = _teller(content)
     if cause is not None:
         said = f"if {_told(telling, cause)}{_enabled(telling, content)}, {'I will not' if robot else 'do not'}"
         said += _except(telling, content)

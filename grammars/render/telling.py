@@ -88,6 +88,10 @@ class Telling:
         self.stated |= {term.name for term in taken}
         return taken
 
+    def is_main(self, name: str) -> bool:
+        """Some graphlet is about it, so it is told as a sentence or step of its own."""
+        return any(graphlet.main == name for graphlet in (*self.described, *self.claims))
+
     def hold_back(self, terms: Iterable[Term]) -> None:
         """Keep predicates out of noun phrases until they are released or told."""
         self.stated |= {term.name for term in terms}

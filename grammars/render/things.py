@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Final, Literal
 
 from grammars.build import PERSONS
-from grammars.morphology import article, comparative, superlative
+from grammars.morphology import article, comparative, gerund, superlative
 from grammars.render.telling import Telling, linked, word
 from kernel.net.graphlet import Term
 
@@ -123,8 +123,22 @@ def description(telling: Telling, name: str, noun: str) -> tuple[str, str, str]:
     after += [place(telling, term) for term in telling.take(name, "loc")]
     for term in telling.take(name, "ako"):
         after.append(f"that is not {with_kind(telling, term)}")
+    for term in _doings(telling, name):
+        who = pronoun(telling, "you", "subject")
+        after.append(f"{who} {'am' if who == 'I' else 'are'} {gerund(word(term))}")
     nouns = [kind(telling, term) for term in kinds] or [noun]
     return " ".join(plain), nouns[0], " ".join([*(f"that is a {n}" for n in nouns[1:]), *after])
+
+
+def _doings(telling: Telling, name: str) -> list[Term]:
+    """What the robot does to the thing, where that says which one is meant: "the block you are holding"."""
+    found = [
+        term
+        for term in telling.about(name, "obj")
+        if telling.term(linked(term, "agt")).lex == {"you"} and not telling.is_main(term.name)
+    ]
+    telling.hold_back(found)
+    return found
 
 
 def with_kind(telling: Telling, term: Term) -> str:

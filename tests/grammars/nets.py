@@ -1,0 +1,227 @@
+"""Random meanings within the conventions of docs/net.md, for properties of reading back."""
+
+from __future__ import annotations
+
+from hypothesis import strategies as st
+from hypothesis.strategies import DrawFn, SearchStrategy
+
+from kernel.action.chain import Chain, Directive, Play
+from kernel.memory.lesson import Operator, Rule
+from kernel.memory.meaning import Command, Fact, Meaning, Teach
+from kernel.net.graphlet import Graphlet, Sketch
+
+KINDS = ["block", "cup", "person", "ball", "cereal box", "umbrella", "cat"]
+NAMES = ["mary", "rick", "janey"]
+QUALITIES = ["red", "heavy", "close", "open", "fragile"]
+DEGREES = ["very", "too"]
+VERBS = ["grab", "release", "push", "touch"]
+QUOTES = ["hello", "I'm not allowed to", "watch out and stop", "left turn", "if you can"]
+PLACES = ["next to", "behind", "in front of", "under", "left of"]
+
+
+class Draft:
+    """A sketch and what of it the graphlet being made contains."""
+
+    def __init__(self, draw: DrawFn) -> None:
+        self.draw, self.sketch = draw, Sketch()
+        self.board: list[str] = []
+        self.finds: list[Graphlet] = []
+        self.kinds = list(
+            KINDS
+        )  # "the cup" twice in a sentence is the same cup, so each kind serves once
+
+    def one_of(self, *values: str) -> str:
+        return self.draw(st.sampled_from(values))
+
+    def maybe(self) -> bool:
+        return self.draw(st.booleans())
+
+    def add(self, kind: str, *lex: str, **more: object) -> str:
+        name = self.sketch.add(kind, *lex, **more)  # type: ignore[arg-type]
+        self.board.append(name)
+        return name
+
+    def oneself(self, who: str) -> str:
+        """The robot or the speaker: one node in a sentence, described wherever it is mentioned."""
+        for name, term in self.sketch.terms.items():
+            if term.lex == {who}:
+                self.board.append(name)
+                return name
+        return self.add("obj", who)
+
+    def graphlet(self, main: str) -> Graphlet:
+        """What was drawn since the last one."""
+        board, self.board = self.board, []
+        return self.sketch.graphlet(main, *board)
+
+    def _owner(self, pattern: bool) -> str:
+        """Somebody; a name is looked up by itself where things are."""
+        who = self.one_of("me", "you", *NAMES)
+        if who not in NAMES:
+            return self.oneself(who)
+        if pattern:
+            return self.add("obj", who)
+        before, self.board = self.board, []
+        owner = self.add("obj", who)
+        self.finds.append(self.graphlet(owner))
+        self.board = before
+        return owner
+
+    def thing(self, definite: bool = True, deep: bool = True, pattern: bool = True) -> str:
+        """Something described: a name, "something", "a red block", "my cup", "the cup next to the ball"."""
+        sort = self.one_of("name", "something", "described", "described", "described")
+        if sort == "name" or not self.kinds:
+            return self.add("obj", self.one_of(*NAMES))
+        if sort == "something":
+            return self.add("obj")
+        ref = self.one_of("", "the") if definite else ""
+        thing = self.add("obj", ref=ref)
+        described = self.one_of(*self.kinds)
+        self.kinds.remove(described)
+        compound, _, kind = described.rpartition(" ")
+        ako = self.add("ako", kind, ako=thing)
+        if compound:
+            self.add("sub", compound, sub=ako)
+        if self.maybe():
+            quality = self.add("hq", self.one_of(*QUALITIES), hq=thing, negated=self.maybe())
+            if self.maybe():
+                self.add("deg", "very", deg=quality)
+        if deep and self.maybe():
+            self.add("loc", self.one_of(*PLACES), loc=thing, wrt=self.oneself("you"))
+        if deep and not ref and self.maybe():
+            self.add("own", own=thing, of=self._owner(pattern))
+        return thing
+
+    def looked_up(self) -> str:
+        """A thing with its FIND."""
+        before, self.board = self.board, []
+        thing = self.thing(pattern=False)
+        self.finds.append(self.graphlet(thing))
+        self.board = before
+        return thing
+
+    def action(self, pattern: bool) -> str:
+        """An action with what may modify it."""
+        sort = self.one_of("drive", "turn", "do", "say", "bare")
+        if sort == "say":
+            act = self.add("act", "say", obj=self.add("txt", literal=self.one_of(*QUOTES)))
+        elif sort == "bare":
+            act = self.add("act", self.one_of("dance", "cha-cha", "pick up"))
+        elif sort == "do":
+            obj = self.thing() if pattern else self.looked_up()
+            act = self.add("act", self.one_of(*VERBS), obj=obj)
+        else:
+            ways = ["forward", "backward"] if sort == "drive" else ["left", "around", "clockwise"]
+            act = self.add("act", sort)
+            self.add("dir", self.one_of(*ways), dir=act)
+            if self.maybe():
+                self._modified(act, ["inch", "second"] if sort == "drive" else ["degree"])
+        return act
+
+    def _modified(self, act: str, units: list[str]) -> None:
+        how = self.one_of("amount", "manner", "count", "size")
+        if how == "amount":
+            number = self.one_of("1", "2", "10", "0.5", "180")
+            self.add("amt", self.one_of(*units), literal=number, amt=act)
+        elif how == "manner":
+            manner = self.add("mod", self.one_of("slowly", "carefully"), mod=act)
+            if self.maybe():
+                self.add("deg", "very", deg=manner)
+        elif how == "count":
+            self.add("cnt", literal=self.one_of("2", "3", "12"), cnt=act)
+        else:
+            self.add("deg", self.one_of("little", "fully"), deg=act)
+
+    def chain(self, *last: Directive) -> Chain:
+        """One to three plays of one or two actions, look-ups before them, and what ends it."""
+        plays: list[Play] = []
+        for _ in range(self.draw(st.integers(1, 3))):
+            parts = []
+            for _ in range(self.draw(st.integers(1, 2))):
+                act = self.action(pattern=False)
+                parts.append(Directive("DO", self.graphlet(act)))
+            plays += [Play((Directive("FIND", find),)) for find in self.finds]
+            self.finds = []
+            plays.append(Play(tuple(parts)))
+        return Chain((*plays, *(Play((directive,)) for directive in last)))
+
+    def statement(self, thing: str) -> str:
+        """Something said of a thing; the predicate."""
+        sort = self.one_of("quality", "degree", "place", "kind")
+        negated = self.maybe() and self.maybe()
+        if sort == "place":
+            mark = self.oneself("you")
+            place = self.one_of(*PLACES)
+            return self.add("loc", place, loc=thing, wrt=mark, negated=negated)
+        if sort == "kind":
+            return self.add("ako", self.one_of("toy", "girl", "robot"), ako=thing, negated=negated)
+        quality = self.add("hq", self.one_of(*QUALITIES), hq=thing, negated=negated)
+        if sort == "degree":
+            self.add("deg", self.one_of(*DEGREES), deg=quality)
+        return quality
+
+
+def _with(build: object) -> SearchStrategy[Meaning]:
+    @st.composite
+    def made(draw: DrawFn) -> Meaning:
+        meaning: Meaning = build(Draft(draw))  # type: ignore[operator]
+        return meaning
+
+    return made()
+
+
+def _procedure(draft: Draft) -> Meaning:
+    act = draft.action(pattern=True)
+    trigger = draft.graphlet(act)
+    strength = draft.draw(st.sampled_from([0.6, 0.8, 1.0, 1.1, 1.2]))
+    chain = draft.chain()
+    return Teach("procedure", Operator(Directive("DO", trigger), chain, preference=strength))
+
+
+def _around(draft: Draft) -> Meaning:
+    kind, tag = draft.draw(st.sampled_from([("before", "ANTE"), ("after", "POST")]))
+    act = draft.action(pattern=True)
+    trigger = draft.graphlet(act)
+    return Teach(kind, Operator(Directive(tag, trigger), draft.chain()))
+
+
+def _reaction(draft: Draft) -> Meaning:
+    main = draft.statement(draft.thing())
+    trigger = draft.graphlet(main)
+    return Teach("reaction", Operator(Directive("NOTE", trigger), draft.chain()))
+
+
+def _prohibition(draft: Draft) -> Meaning:
+    act = draft.action(pattern=True)
+    trigger = draft.graphlet(act)
+    enablement: tuple[Graphlet, ...] = ()
+    if draft.maybe():
+        enablement = (draft.graphlet(draft.statement(draft.thing(definite=False))),)
+    punt = Directive("PUNT")
+    chain = draft.chain(punt) if draft.maybe() else Chain((Play((punt,)),))
+    return Teach("prohibition", Operator(Directive("ANTE", trigger), chain, enablement))
+
+
+def _permission(draft: Draft) -> Meaning:
+    act = draft.action(pattern=True)
+    return Teach("permission", Operator(Directive("ALLOW", draft.graphlet(act)), Chain()))
+
+
+def _rule(draft: Draft) -> Meaning:
+    thing = draft.thing(definite=False, deep=False)
+    main = draft.statement(thing)
+    condition = draft.graphlet(main)
+    conclusion = draft.graphlet(draft.statement(thing))
+    belief = draft.draw(st.sampled_from([0.2, 0.5, 0.7, 0.8, 1.0]))
+    return Teach("rule", Rule(condition, conclusion, belief=belief))
+
+
+def _fact(draft: Draft) -> Meaning:
+    thing = draft.looked_up()
+    return Fact(draft.graphlet(draft.statement(thing)), tuple(draft.finds))
+
+
+commands = _with(lambda draft: Command(draft.chain()))
+procedures, arounds, reactions = _with(_procedure), _with(_around), _with(_reaction)
+prohibitions, permissions = _with(_prohibition), _with(_permission)
+rules, facts = _with(_rule), _with(_fact)
