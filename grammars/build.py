@@ -16,7 +16,7 @@ from typing import Any, Final
 from grammars.alist import AList
 from grammars.vocabulary import lines
 from kernel.action.chain import Chain, Directive, Play
-from kernel.net.graphlet import Graphlet, Sketch
+from kernel.net.graphlet import Graphlet, Sketch, Term
 
 
 class NoMeaningError(Exception):
@@ -93,6 +93,7 @@ class Build:
         pattern: things are described on the board instead of looked up.
         finds: look-ups not yet placed into a chain.
         things: what was mentioned, oldest first.
+        telling: a fact is being told: "a hat" is a new thing and not looked up.
         negative: the clause being drawn had "nothing" or "nobody" in it.
     """
 
@@ -102,6 +103,7 @@ class Build:
     finds: list[Graphlet] = field(default_factory=list)
     things: list[Thing] = field(default_factory=list)
     negative: bool = False
+    telling: bool = False
 
     @contextmanager
     def drawing(self, pattern: bool) -> Iterator[list[str]]:
@@ -122,8 +124,10 @@ class Build:
         return name
 
     def graphlet(self, main: str) -> Graphlet:
-        """What is on the board."""
-        return self.sketch.graphlet(main, *self.board)
+        """What is on the board; a thing of which nothing is said ("something") needs no term."""
+        terms = self.sketch.terms
+        said = [name for name in self.board if terms[name] != Term(name)]
+        return self.sketch.graphlet(main, *said)
 
     # ---- things ----
 
@@ -168,14 +172,15 @@ class Build:
         return next((t.name for t in reversed(self.things) if t.kind == kind), None)
 
     @contextmanager
-    def _own_board(self) -> Iterator[None]:
-        """A board of its own for a thing that is looked up; none where a pattern is drawn."""
-        if self.pattern:
+    def _own_board(self, here: bool = False) -> Iterator[None]:
+        """A board of its own for a thing that is looked up; none where a pattern is drawn or the thing is new."""
+        if self.pattern or here:
             yield
             return
         before, self.board = self.board, []
         yield
-        self.finds.append(self.sketch.graphlet(*self.board))
+        main, *more = self.board
+        self.finds.append(self.sketch.graphlet(main, *more))
         self.board = before
 
     def _mention(self, thing: Thing) -> None:
@@ -187,7 +192,8 @@ class Build:
             self.negative = True
         ref = "one" if np.has("one") else REFS.get(det, "")
         person = bool(called) or person or kind in PERSONS or vague in PERSON_WORDS
-        with self._own_board():
+        new = self.telling and not called and not ref and not (np.has("own") or np.has("owner"))
+        with self._own_board(here=new):
             name = self.add("obj", *([called] if called else []), ref=ref)
             if kind and (kind not in ANY_KIND or ref):
                 self.kind(name, kind, np.slot("sub"))

@@ -7,6 +7,9 @@ from grammars.build import Build, NoMeaningError
 from kernel.net.graphlet import Graphlet
 
 
+VERB_SLOTS = ("does", "gerund", "state", "states", "verb", "verbs")
+
+
 def flat(conds: AList) -> list[AList]:
     """The clauses of a list of conditions."""
     inner = [clause for part in conds.all("conds") for clause in flat(part)]
@@ -20,27 +23,38 @@ def condition(build: Build, conds: AList) -> Graphlet:
         return build.graphlet(mains[0])
 
 
-def clause(build: Build, part: AList) -> str:
-    """Draw a clause on the present board; the node of its predicate."""
+def clause(build: Build, part: AList, subject: str = "") -> str:
+    """Draw a clause on the present board; the node of its predicate.
+
+    Args:
+        build: the drawing.
+        part: the bracket that holds the clause's parts.
+        subject: node it is about, where that is no noun phrase of the clause.
+    """
     build.negative = False
     negated = part.has("neg") or part.has("not_has")
     if (exists := part.find("exists")) is not None:
         return _exists(build, exists)
-    subject = part.find("np", "base_np")
-    if subject is None:
+    objects = part.all("np", "base_np")
+    if subject:
+        agent = subject
+    elif objects:
+        agent = build.thing(objects.pop(0))
+    else:
         raise NoMeaningError(str(part))
-    agent = build.thing(subject)
     negated = negated or build.negative
     if (pred := part.find("pred")) is not None:
         return build.predicate(agent, pred, negated)
     if (qual := part.find("qual")) is not None:
         return build.quality(agent, qual, negated)
-    verb = part.find("does", "going")
-    objects = part.all("np")[1:] if subject.name == "np" else part.all("np")
-    if verb is None:
+    if part.has("habit") or part.has("habit_s"):
+        return _doing(build, part.first("habit", "habit_s"), agent, objects, negated)
+    if part.has("does") or part.has("going"):
+        return _doing(build, part, agent, objects, negated)
+    if objects:
         owned = build.thing(objects[0])
         return build.add("act", "have", agt=agent, obj=owned, negated=negated or build.negative)
-    return _doing(build, part, agent, negated)
+    raise NoMeaningError(str(part))
 
 
 def _exists(build: Build, exists: AList) -> str:
@@ -57,17 +71,22 @@ def _exists(build: Build, exists: AList) -> str:
     raise NoMeaningError(str(exists))
 
 
-def _doing(build: Build, part: AList, agent: str, negated: bool) -> str:
+def _doing(
+    build: Build, part: AList, agent: str, objects: list[AList], negated: bool
+) -> str:
+    """An act of somebody's: "Mary is watching", "you see Mom coming", "he speaks Portuguese"."""
     going = part.find("going")
-    if going is not None and not part.has("does"):
-        verb = going.slot("gerund") or going.value or ""
-        body = going
-    else:
-        verb, body = part.slot("does"), part
+    body = part
+    if part.name.startswith("habit"):
+        objects = part.all("np")
+    elif going is not None and not part.has("does"):
+        body, objects = going, going.all("np")
+    verb = next((body.slot(s) for s in VERB_SLOTS if body.has(s)), body.value or "")
     links: dict[str, str] = {"agt": agent}
-    objects = [np for np in body.all("np") if not (body is part and np is part.find("np", "base_np"))]
     if objects:
         links["obj"] = build.thing(objects[0])
+    elif body.has("name"):
+        links["obj"] = build.thing(body, person=False)
     if (dest := body.find("dest")) is not None:
         links["dest"] = build.thing(dest.first("np"))
     act = build.add("act", verb, negated=negated or build.negative, **links)
@@ -75,3 +94,14 @@ def _doing(build: Build, part: AList, agent: str, negated: bool) -> str:
     if going is not None and body is part and objects:
         build.add("act", going.slot("gerund") or going.value or "", agt=links["obj"])
     return act
+
+
+def exception(build: Build, alist: AList) -> tuple[Graphlet, ...]:
+    """What stands after "unless", each way out by itself."""
+    found = alist.find("exception")
+    return () if found is None else (condition(build, found.first("conds")),)
+
+
+def enablement(build: Build, alist: AList) -> tuple[Graphlet, ...]:
+    """What stands after "if" or "while" where an action is the trigger."""
+    return tuple(condition(build, conds) for conds in alist.all("conds"))

@@ -20,6 +20,7 @@ from lark.exceptions import UnexpectedInput
 from grammars.alist import AList
 from grammars.build import NoMeaningError
 from grammars.errors import NotUnderstoodError
+from grammars.morphology import readings as verb_readings
 from grammars.nearest import nearest_sentence, near_words
 from grammars.normalise import Piece, pieces, repaired_by_speaker, without_repeats
 from grammars.registry import discover
@@ -32,7 +33,7 @@ MOST_READINGS: Final = 6
 TERMINAL_COST: Final = {"ANYWORD": 2, "OPENWORD": 1, "STRANGE": 3, "UNK": 10}
 CATEGORIES: Final = (
     "VERB VERBS VERBING VERBED GIVE STATE STATES NOUN NOUNS ADJ ADJER ADJEST ADV DEG DIR PROPER NUM UNIT PREP ORD"
-    " QUOTED ANYWORD OPENWORD STRANGE UNK _COMMA"
+    " QUOTED ANYWORD NEWING OPENWORD STRANGE UNK _COMMA"
 ).split()
 
 
@@ -332,6 +333,9 @@ class _Reader:
             readings["OPENWORD"] = piece.text
         if strange:
             readings["STRANGE"] = piece.text
+            for reading in verb_readings(piece.text, "verb"):
+                if reading.form == "gerund":
+                    readings.setdefault("NEWING", reading.lemma)
             if piece.capital:
                 readings["PROPER"] = piece.text
             if guessing:

@@ -1,0 +1,106 @@
+"""What a sentence was taken for, as plain data: the part of `sayso parse --json` that comes from its meaning."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import Any
+
+from grammars.parse import Parsed
+from kernel.action.chain import Chain, Directive
+from kernel.memory.lesson import Operator, Rule
+from kernel.memory.meaning import (
+    Command,
+    Control,
+    Fact,
+    Identity,
+    Meaning,
+    Question,
+    Revision,
+    Teach,
+)
+from kernel.net.graphlet import Graphlet
+
+NOT_ACTIONS = ("FIND", "PUNT", "NOTE")
+
+
+def describe(parsed: Parsed) -> dict[str, Any]:
+    """Fields of service.md's table; reading back and notation are added by whoever prints it."""
+    meaning = parsed.meaning
+    content = meaning.content if isinstance(meaning, Teach) else None
+    chain = _chain(meaning)
+    return {
+        "text": parsed.text,
+        "kind": parsed.kind,
+        "words": sorted(_words(meaning)),
+        "steps": None if chain is None else _steps(chain),
+        "parallel": chain is not None and chain.parallel,
+        "negated": any(term.negated for graphlet in _graphlets(meaning) for term in graphlet),
+        "preference": content.preference if isinstance(content, Operator) else None,
+        "belief": content.belief if isinstance(content, Rule) else None,
+        "trigger": _trigger(content) if isinstance(content, Operator) else [],
+        "ask": meaning.ask if isinstance(meaning, Question) else None,
+        "unknown_words": list(parsed.unknown_words),
+        "alternatives": parsed.alternatives,
+    }
+
+
+def _chain(meaning: Meaning) -> Chain | None:
+    """The chain of a meaning that has one."""
+    if isinstance(meaning, Command | Revision):
+        return meaning.chain
+    if isinstance(meaning, Teach) and isinstance(meaning.content, Operator):
+        return meaning.content.chain
+    return None
+
+
+def _steps(chain: Chain) -> int:
+    return sum(directive.tag not in NOT_ACTIONS for directive in chain.directives())
+
+
+def _graphlets(meaning: Meaning) -> Iterator[Graphlet]:
+    """Every graphlet of a meaning."""
+    match meaning:
+        case Fact(fact, finds):
+            yield from (*finds, fact)
+        case Question(about=about):
+            yield about
+        case Control(about=about) if about is not None:
+            yield about
+        case Revision(chain, instead_of, of):
+            yield from _within(chain.directives())
+            yield from (part for part in (instead_of, of) if part is not None)
+        case Command(chain):
+            yield from _within(chain.directives())
+        case Teach(content=Rule() as rule):
+            yield from (rule.condition, rule.conclusion, *rule.unless)
+        case Teach(content=Operator() as operator):
+            yield from _within((operator.trigger, *operator.chain.directives()))
+            yield from (*operator.enablement, *operator.unless)
+        case _:
+            return
+
+
+def _within(directives: Any) -> Iterator[Graphlet]:
+    part: Directive
+    for part in directives:
+        if part.graphlet is not None:
+            yield part.graphlet
+
+
+def _words(meaning: Meaning) -> set[str]:
+    """Lemmas and numbers, one word each; quoted speech left out."""
+    words = {meaning.name} if isinstance(meaning, Identity) else set()
+    for graphlet in _graphlets(meaning):
+        for term in graphlet:
+            words |= {word for lex in term.lex for word in lex.split()}
+            if term.literal is not None and term.kind in ("amt", "cnt"):
+                words.add(term.literal)
+    return words
+
+
+def _trigger(operator: Operator) -> list[str]:
+    """Lemmas of the trigger's main node."""
+    graphlet = operator.trigger.graphlet
+    if graphlet is None or graphlet.main not in graphlet.names:
+        return []
+    return sorted(graphlet.term(graphlet.main).lex)

@@ -1,0 +1,31 @@
+"""After: operators on POST, run whenever such an action has been tried."""
+
+from __future__ import annotations
+
+from grammars.alist import AList
+from grammars.build import Build
+from grammars.hedges import preference
+from grammars.registry import sentence_form
+from kernel.action.chain import Directive
+from kernel.memory.lesson import Operator
+from kernel.memory.meaning import Teach
+
+EXAMPLES = (
+    "after you release something back up",
+    "after turning left raise the lift",
+    "say all done after you dance",
+    "After you grab Mary's cup, say thank you then drive backwards.",
+)
+
+
+@sentence_form("after", "after", EXAMPLES)
+def after(alist: AList) -> Teach:
+    """An operator on POST; the action may stand in the sentence after what is to be done."""
+    build = Build()
+    with build.drawing(pattern=True):
+        trigger = build.graphlet(build.action(alist.first("action", "gerunding", "did_it")))
+    chain = build.chain(alist.first("chain"))
+    operator = Operator(
+        Directive("POST", trigger), chain, preference=preference(alist.slot("pref"))
+    )
+    return Teach("after", operator)

@@ -1,0 +1,30 @@
+"""Before: operators on ANTE, run whenever such an action is about to begin."""
+
+from __future__ import annotations
+
+from grammars.alist import AList
+from grammars.build import Build
+from grammars.hedges import preference
+from grammars.registry import sentence_form
+from kernel.action.chain import Directive
+from kernel.memory.lesson import Operator
+from kernel.memory.meaning import Teach
+
+EXAMPLES = (
+    "before you grab something open the gripper",
+    "before driving forward say beep beep",
+    "always say excuse me before you turn around",
+)
+
+
+@sentence_form("before", "before", EXAMPLES)
+def before(alist: AList) -> Teach:
+    """An operator on ANTE; the action may stand in the sentence after what is to be done."""
+    build = Build()
+    with build.drawing(pattern=True):
+        trigger = build.graphlet(build.action(alist.first("action", "gerunding")))
+    chain = build.chain(alist.first("chain"))
+    operator = Operator(
+        Directive("ANTE", trigger), chain, preference=preference(alist.slot("pref"))
+    )
+    return Teach("before", operator)

@@ -1,0 +1,67 @@
+"""Facts: what somebody says is so."""
+
+from __future__ import annotations
+
+from grammars.alist import AList
+from grammars.build import OWNING, Build, NoMeaningError
+from grammars.clauses import clause
+from grammars.registry import sentence_form
+from kernel.memory.meaning import Fact
+from kernel.net.graphlet import Graphlet, Term
+
+EXAMPLES = (
+    "Mary is a girl",
+    "There is something very close.",
+    "The bottle to the left of the green box is Advil.",
+    "her name is janey",
+    "this block is called pookie",
+    "john is taller than mary",
+    "Freddy is Janey's brother.",
+    "the blue cup is john's",
+    "Mary has a red hat.",
+    "the blue block is not heavy",
+    "the ball is behind you",
+)
+
+
+@sentence_form("fact", "fact", EXAMPLES)
+def fact(alist: AList) -> Fact:
+    """The predicate with what is new in it; what is known already is looked up."""
+    build = Build(telling=True)
+    named = alist.find("named")
+    if named is not None:
+        return _named(build, named)
+    said = alist.first("clause")
+    _check_subject(said)
+    with build.drawing(pattern=False):
+        main = clause(build, said)
+        told = build.graphlet(main)
+    return Fact(told, tuple(build.finds))
+
+
+def _check_subject(said: AList) -> None:
+    """Refuse subjects of generic sentences and of small talk: "a girl", "girls", "I"."""
+    subject = said.find("np", "base_np")
+    if subject is None:
+        return
+    bare = not any(subject.has(p) for p in ("name", "det", "own", "owner", "pron", "vague"))
+    if bare or subject.slot("det") in ("a", "an", "any", "no") or subject.slot("pron") in ("i", "me"):
+        raise NoMeaningError(str(said))
+
+
+def _named(build: Build, named: AList) -> Fact:
+    """The name is a lexical item of the thing's own node, as in the paper's figures."""
+    with build.drawing(pattern=False):
+        whose = named.find("own_name")
+        if whose is not None:
+            own = whose.slot("own")
+            if own not in OWNING:
+                raise NoMeaningError("a name of the speaker or of the robot")
+            thing = build.pronoun(OWNING[own])
+        else:
+            owner = named.find("owner")
+            thing = build.thing(named.first("np")) if owner is None else build.thing(owner)
+    if not build.finds:
+        raise NoMeaningError("a name for nothing in particular")
+    word = named.all("name")[-1].value or ""
+    return Fact(Graphlet((Term(thing, frozenset((word,))),), thing), tuple(build.finds))

@@ -1,0 +1,33 @@
+"""Permissions: operators on ALLOW, which void the prohibitions they are at least as specific as."""
+
+from __future__ import annotations
+
+from grammars.alist import AList
+from grammars.build import Build
+from grammars.clauses import enablement, exception
+from grammars.registry import sentence_form
+from kernel.action.chain import Chain, Directive
+from kernel.memory.lesson import Operator
+from kernel.memory.meaning import Teach
+
+EXAMPLES = (
+    "you can grab a person if she is hurt",
+    "it is okay to lift the toy cat",
+    "You may touch my sneakers.",
+    "you are allowed to drive backwards now",
+)
+
+
+@sentence_form("permission", "permission", EXAMPLES)
+def permission(alist: AList) -> Teach:
+    """An exception to what is forbidden."""
+    build = Build()
+    with build.drawing(pattern=True):
+        trigger = build.graphlet(build.action(alist.first("action", "gerunding")))
+    operator = Operator(
+        Directive("ALLOW", trigger),
+        Chain(),
+        enablement=enablement(build, alist),
+        unless=exception(build, alist),
+    )
+    return Teach("permission", operator)

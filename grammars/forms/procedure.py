@@ -1,0 +1,44 @@
+"""Procedures: operators on DO that say how something is done."""
+
+from __future__ import annotations
+
+from grammars.alist import AList
+from grammars.build import Build, NoMeaningError
+from grammars.hedges import preference
+from grammars.registry import sentence_form
+from kernel.action.chain import Chain, Directive
+from kernel.memory.lesson import Operator
+from kernel.memory.meaning import Teach
+
+EXAMPLES = (
+    "To cha-cha drive forward then drive backwards",
+    "To run away, you could drive backward.",
+    "to greet somebody you must always say good day",
+    "when i say hop raise the lift then lower the lift",
+    "to retreat means to drive backwards then turn around",
+    "Inspecting means driving forward slowly and then backing up.",
+    "here is how to sweep turn left slowly then turn right slowly",
+    "Let me teach you to stretch: raise the lift, wait one second, then lower it.",
+    "another way to celebrate is to drive forward then say yay",
+)
+
+
+@sentence_form("procedure", "procedure", EXAMPLES)
+def procedure(alist: AList) -> Teach:
+    """An operator on DO."""
+    build = Build()
+    said = alist.find("said")
+    with build.drawing(pattern=True):
+        if said is not None:
+            act = build.add("act", said.slot("quote").lower())
+        else:
+            act = build.action(alist.first("action", "gerunding"))
+        trigger = build.graphlet(act)
+    chains = [build.chain(part) for part in alist.all("chain")]
+    if not chains:
+        raise NoMeaningError(str(alist))
+    chain = Chain(tuple(play for part in chains for play in part.plays))
+    strength = preference(alist.slot("pref"))
+    if alist.find("could") is not None:
+        strength = preference("could")
+    return Teach("procedure", Operator(Directive("DO", trigger), chain, preference=strength))

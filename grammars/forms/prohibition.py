@@ -1,0 +1,42 @@
+"""Prohibitions: operators on ANTE that end in PUNT."""
+
+from __future__ import annotations
+
+from grammars.alist import AList
+from grammars.build import Build
+from grammars.clauses import enablement, exception
+from grammars.registry import sentence_form
+from kernel.action.chain import Chain, Directive, Play
+from kernel.memory.lesson import Operator
+from kernel.memory.meaning import Teach
+
+EXAMPLES = (
+    "Never touch my sneakers!",
+    "You should never grab a person but instead say I'm not allowed to.",
+    "don't ever lift a cat",
+    "no shouting",
+    "don't raise the lift if something is close",
+    "if something is close, don't raise the lift",
+    "Do not turn while you are holding something.",
+    "never lift a cup unless it is empty",
+)
+
+
+@sentence_form("prohibition", "prohibition", EXAMPLES)
+def prohibition(alist: AList) -> Teach:
+    """A veto on an action, with what to do instead, when it holds and when it does not."""
+    build = Build()
+    first = next(part.name for part in alist if part.name in ("action", "gerunding", "conds"))
+    before = enablement(build, alist) if first == "conds" else ()
+    with build.drawing(pattern=True):
+        trigger = build.graphlet(build.action(alist.first("action", "gerunding")))
+    after = enablement(build, alist) if first != "conds" else ()
+    instead = alist.find("chain")
+    plays = () if instead is None else build.chain(instead).plays
+    operator = Operator(
+        Directive("ANTE", trigger),
+        Chain((*plays, Play((Directive("PUNT"),)))),
+        enablement=before or after,
+        unless=exception(build, alist),
+    )
+    return Teach("prohibition", operator)

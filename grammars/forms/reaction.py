@@ -1,0 +1,41 @@
+"""Reactions: operators on NOTE, in force all the time."""
+
+from __future__ import annotations
+
+from grammars.alist import AList
+from grammars.build import Build, NoMeaningError
+from grammars.clauses import condition, exception
+from grammars.hedges import preference
+from grammars.registry import sentence_form
+from kernel.action.chain import Directive
+from kernel.memory.lesson import Operator
+from kernel.memory.meaning import Teach
+
+EXAMPLES = (
+    "If something is very close then drive backwards",
+    "when you are stuck back up then turn right",
+    "When the battery is low, say feed me.",
+    "if something is close and it is a person then stop and say pardon me",
+    "if something is close back up unless it is a block",
+    "Close the door whenever you see Mom coming.",
+    "say bless you when someone sneezes",
+)
+
+
+@sentence_form("reaction", "reaction", EXAMPLES)
+def reaction(alist: AList) -> Teach:
+    """An operator on NOTE with all conditions in its trigger."""
+    build = Build()
+    if (conds := alist.find("conds")) is None:
+        raise NoMeaningError("a reaction to the absence of something")
+    trigger = condition(build, conds)
+    chain = build.chain(alist.first("chain"))
+    return Teach(
+        "reaction",
+        Operator(
+            Directive("NOTE", trigger),
+            chain,
+            unless=exception(build, alist),
+            preference=preference(alist.slot("pref")),
+        ),
+    )

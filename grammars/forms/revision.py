@@ -1,0 +1,61 @@
+"""Revisions: corrections of the last command or lesson."""
+
+from __future__ import annotations
+
+from grammars.alist import AList
+from grammars.build import Build, NoMeaningError
+from grammars.registry import sentence_form
+from kernel.action.chain import Chain, Directive, Play, sequence
+from kernel.memory.meaning import Revision
+from kernel.net.graphlet import Graphlet
+
+EXAMPLES = (
+    "no raise the lift instead",
+    "when you cha-cha drive backwards first",
+    "Actually, drive forward 5 inches instead of 10.",
+    "not the red one the blue one",
+    "you should say good evening instead of good day",
+    "turn right instead of turning left",
+)
+
+
+@sentence_form("revision", "revision", EXAMPLES)
+def revision(alist: AList) -> Revision:
+    """What to do, instead of what, when doing what."""
+    build = Build()
+    if alist.has("new_words"):
+        return _words(build, alist)
+    old, instead = alist.find("old"), alist.find("gerunding", "action")
+    with build.drawing(pattern=True):
+        of = build.graphlet(build.action(old.first("action"))) if old is not None else None
+    with build.drawing(pattern=True):
+        replaced = build.graphlet(build.action(instead)) if instead is not None else None
+    if (chain := alist.find("chain")) is not None:
+        steps = build.chain(chain)
+    else:
+        things = alist.all("np")
+        if not things:
+            raise NoMeaningError(str(alist))
+        replaced, steps = _things(build, things)
+    return Revision(steps, replaced, of)
+
+
+def _words(build: Build, alist: AList) -> Revision:
+    """Other words to be said."""
+    parts = []
+    for slot in ("new_words", "old_words"):
+        with build.drawing(pattern=True):
+            txt = build.add("txt", literal=alist.first(slot).slot("quote"))
+            parts.append(build.graphlet(build.add("act", "say", obj=txt)))
+    return Revision(sequence(Directive("DO", parts[0])), parts[1])
+
+
+def _things(build: Build, things: list[AList]) -> tuple[Graphlet | None, Chain]:
+    """Another thing: "not the red one the blue one"; the chain holds its look-up alone."""
+    replaced = None
+    if len(things) > 1:
+        with build.drawing(pattern=True):
+            replaced = build.graphlet(build.thing(things[0]))
+    with build.drawing(pattern=False):
+        build.thing(things[-1])
+    return replaced, Chain(tuple(Play((Directive("FIND", find),)) for find in build.finds))

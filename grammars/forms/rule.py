@@ -1,0 +1,60 @@
+"""Rules: what follows from what, and how surely."""
+
+from __future__ import annotations
+
+from grammars.alist import AList
+from grammars.build import Build, NoMeaningError
+from grammars.clauses import clause, condition, exception
+from grammars.hedges import belief
+from grammars.registry import sentence_form
+from kernel.memory.lesson import Rule
+from kernel.memory.meaning import Teach
+from kernel.net.graphlet import Graphlet
+
+EXAMPLES = (
+    "If something is a girl it is a person.",
+    "a girl is a person",
+    "if something has wheels it is a vehicle",
+    "heavy things are dangerous",
+    "robins are not mammals",
+    "Girls are usually female.",
+    "If a person is from Brazil, he likely speaks Portuguese.",
+    "big blocks are definitely heavy",
+)
+
+
+@sentence_form("rule", "rule", EXAMPLES)
+def rule(alist: AList) -> Teach:
+    """A rule whose condition is a clause or the subject of a generic sentence."""
+    build = Build()
+    generic, conclusion = alist.find("generic"), alist.find("conclusion")
+    if generic is not None:
+        condition_, thing = _kind(build, generic)
+        said = alist
+    elif conclusion is not None:
+        condition_, thing = condition(build, alist.first("conds")), ""
+        said = conclusion
+    else:
+        raise NoMeaningError(str(alist))
+    with build.drawing(pattern=True):
+        main = clause(build, said, thing)
+        then = build.graphlet(main)
+    described = condition_.names
+    if {n for n in then.mentioned if n.startswith("obj")}.isdisjoint(condition_.mentioned):
+        raise NoMeaningError("the conclusion is about something else")
+    then = Graphlet(tuple(term for term in then if term.name not in described), then.main)
+    hedge = alist.slot("hedge") or said.slot("hedge") or said.slot("may") and "may"
+    rule_ = Rule(condition_, then, exception(build, alist), belief(hedge or ""))
+    return Teach("rule", rule_)
+
+
+def _kind(build: Build, generic: AList) -> tuple[Graphlet, str]:
+    """The subject of a generic sentence as a condition: of what kind, else of what quality."""
+    with build.drawing(pattern=True):
+        thing = build.thing(AList("np", generic.parts or (AList("akos", value=generic.value),)))
+        said = [build.sketch.terms[name] for name in build.board]
+        for role in ("ako", "hq", "loc", "act"):
+            for term in said:
+                if (role, thing) in term.links or term.kind == role:
+                    return build.graphlet(term.name), thing
+    raise NoMeaningError(str(generic))
