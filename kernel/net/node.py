@@ -145,7 +145,8 @@ class Net:
     def unname(self, node: Node, word: str) -> None:
         """Take a lexical item back."""
         node.lex.discard(word)
-        self._unindex(node, word)
+        if word not in node.halo_lex:
+            self._unindex(node, word)
 
     def overlay(self, node: Node, word: str, band: int) -> None:
         """Add a concluded lexical item, until clear_overlay."""
