@@ -90,7 +90,7 @@ def judge(expectations: Sequence[Expectation], turn: Turn) -> tuple[Outcome, ...
 
 
 def happened(turn: Turn) -> tuple[str, ...]:
-    """The turn in words, in order of time: speech, refusals, questions, motions."""
+    """The turn in words, in order of time: speech, refusals, questions, motions, what is held now."""
     notes = [(run.began_s, _describe_run(run)) for run in runs(turn.samples)]
     for event in turn.events:
         match event:
@@ -110,8 +110,9 @@ def happened(turn: Turn) -> tuple[str, ...]:
                 notes.append((event.t, "stops"))
             case ev.Error(part=part, text=text):
                 notes.append((event.t, f"error in {part}: {text}"))
-    if turn.samples and turn.samples[-1].held:
-        notes.append((turn.ended_s, f"holds {turn.samples[-1].held}"))
+    first, last = (turn.samples[0].held, turn.samples[-1].held) if turn.samples else ("", "")
+    if first != last:
+        notes.append((turn.ended_s, f"holds {last or 'nothing'}"))
     return tuple(text for _, text in sorted(notes, key=lambda note: note[0]))
 
 

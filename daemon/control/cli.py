@@ -161,6 +161,30 @@ def rehearse(file: Path, as_json: bool, seed: int) -> None:
     sys.exit(play(file, seed=seed, as_json=as_json))
 
 
+@cli.command()
+@click.option("--fast", is_flag=True, help="In virtual time, instead of real time over the PTY.")
+@click.option("--typed", is_flag=True, help="Type the sentences instead of hearing them.")
+@click.option(
+    "--engine",
+    type=click.Choice(["auto", "vosk", "pocketsphinx"]),
+    default="auto",
+    show_default=True,
+    help="Which recogniser hears.",
+)
+@click.option("--seed", type=click.IntRange(min=0), default=0, show_default=True)
+@click.option(
+    "--picture",
+    metavar="FILE",
+    type=click.Path(dir_okay=False, path_type=Path),
+    help="Draw the end as an SVG.",
+)
+def demo(fast: bool, typed: bool, engine: str, seed: int, picture: Path | None) -> None:
+    """The paper's demonstration, from recorded speech to the moving robot; fails if any line does."""
+    from daemon.demo.run import main as play
+
+    sys.exit(play(fast=fast, typed=typed, engine=engine, seed=seed, picture=picture))
+
+
 def main() -> NoReturn:
     """The console script: errors become one line, never a traceback (but for SAYSO_DEBUG=1)."""
     try:
@@ -246,3 +270,7 @@ def _sentences() -> Iterator[str]:
 def _clean(text: str) -> str:
     """Arguments that were not UTF-8 arrive as lone surrogates, which nothing can print."""
     return text.encode("utf-8", errors="replace").decode("utf-8")
+
+
+if __name__ == "__main__":
+    main()

@@ -63,7 +63,7 @@ async def _play(
     app = App(config, Store.open(folder / "lessons.sqlite"), lambda _line: None)
     recorder = Recorder(show.move)
     app.subscribe(recorder.happen)
-    app.subscribe(show.happen)
+    hush = app.subscribe(show.happen)
     serving = asyncio.create_task(app.run(), name="demo.daemon")
     playing = asyncio.create_task(_lines(app, recorder, demonstration, sounds, show))
     try:
@@ -74,6 +74,7 @@ async def _play(
         return await playing
     finally:
         playing.cancel()
+        hush()
         app.close()
         await serving
 

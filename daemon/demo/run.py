@@ -20,6 +20,8 @@ from daemon.stage import Stage
 
 EXIT_FAILED: Final = 1
 PICTURE_COLUMNS: Final = 150
+PLAIN_COLUMNS: Final = 120
+"""A file has no width of its own."""
 
 
 def main(
@@ -50,6 +52,8 @@ def main(
         FileNotFoundError: a recording is not there.
     """
     console = console or Console(highlight=False)
+    if not console.is_terminal and console.width < PLAIN_COLUMNS:
+        console.width = PLAIN_COLUMNS
     demonstration = script(path)
     sounds = {} if typed else recordings(demonstration, audio)
     show = Show(console)

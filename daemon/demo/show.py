@@ -40,13 +40,13 @@ class Show:
     def enter(self, text: str) -> None:
         """A line of the script begins."""
         self._line = text
-        self._console.print(entered(text))
+        self._print(entered(text))
 
     def happen(self, event: ev.Event) -> None:
         """Something happened."""
         text = told(event)
         if text is not None:
-            self._console.print(text)
+            self._print(text)
 
     def move(self, sample: Sample) -> None:
         """The robot is here."""
@@ -59,9 +59,9 @@ class Show:
         """A line of the script has ended."""
         if result.misheard:
             heard = f'heard "{result.heard}"' if result.heard else "nothing was heard"
-            self._console.print(Text(f"  MISHEARD: {heard}", style="red"))
+            self._print(Text(f"  MISHEARD: {heard}", style="red"))
         for outcome in result.outcomes:
-            self._console.print(judged(outcome))
+            self._print(judged(outcome))
 
     def summary(self, results: Sequence[Result], seconds: float) -> Group:
         """The last word: every line, expected and actual, and the whole track."""
@@ -75,6 +75,9 @@ class Show:
         outlines = [outline(thing) for thing in self.things()]
         track = draw(self._track, outlines, COLUMNS, ROWS)
         return Panel(Group(track, self._where()), title="from above", expand=False)
+
+    def _print(self, text: Text) -> None:
+        self._console.print(text, soft_wrap=not self._console.is_terminal)
 
     def _where(self) -> Text:
         if not self._track:
