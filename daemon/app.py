@@ -20,7 +20,7 @@ from typing import Final
 
 from daemon import config as configuration
 from daemon import events
-from daemon.clock import Clock
+from daemon.clock import Clock, process_age_s
 from daemon.config import Config
 from daemon.control.messages import OutcomeWord
 from daemon.control.server import ControlServer
@@ -117,6 +117,7 @@ class App:
                         "loop": self._turn(),
                     }.items()
                 ]
+                await self._warm_up()
                 self._ready()
                 await self._closing.wait()
                 self._notifier.stopping()
@@ -252,8 +253,18 @@ class App:
         self._awake.set()
         return taken
 
+    async def _warm_up(self) -> None:
+        """Compile the grammar before the first sentence comes: ready means able to listen."""
+        utterance = Utterance("stop")
+        try:
+            await self._loop.run_in_executor(
+                self._parser, understand, utterance, self._cycle.vocabulary
+            )
+        except Exception as error:  # a grammar that does not compile: said now, not at the first sentence
+            self._failed("understanding", f"{type(error).__name__}: {error}")
+
     def _ready(self) -> None:
-        seconds = self._clock.now_s()
+        seconds = process_age_s()
         known = f"{len(self._parts.loaded.lessons)} lessons"
         resting = (
             f", {len(self._parts.loaded.resting)} lessons rest"

@@ -37,7 +37,7 @@ class Following:
             case events.Ended(utterance=utterance, verdict=verdict) if utterance == self._text:
                 if verdict != "succeeded":
                     self._fail()
-            case events.Error(part="mind" | "store"):
+            case events.Error(part="mind" | "store" | "understanding"):
                 self._fail()
             case _:
                 pass
