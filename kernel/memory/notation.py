@@ -150,10 +150,18 @@ def _tidy(graphlet: Graphlet) -> Graphlet:
 
 
 def _sorted(content: Any) -> Any:
-    """Put what has no order (exceptions, parts of a play) into one: by its text with the names blotted out."""
+    """Put what has no order (exceptions, parts of a play) into one: by its text with the names blotted out.
+
+    Where these are alike, the names they share with what has an order decide ("it is close" of two things).
+    """
+    shared: dict[str, str] = {}
+    if isinstance(content, Rule):
+        shared = canonical_names([content.condition, content.conclusion])
+    elif isinstance(content, Operator) and content.trigger.graphlet:
+        shared = canonical_names([content.trigger.graphlet])
 
     def order(parts: Iterable[Any]) -> tuple[Any, ...]:
-        return tuple(sorted(parts, key=_blotted))
+        return tuple(sorted(parts, key=lambda part: _blotted(part, shared)))
 
     def chain(value: Chain) -> Chain:
         plays = []
@@ -180,7 +188,7 @@ def _sorted(content: Any) -> Any:
     return content
 
 
-def _blotted(part: Graphlet | Directive | Chain) -> str:
+def _blotted(part: Graphlet | Directive | Chain, shared: dict[str, str]) -> tuple[str, list[str]]:
     as_chain = part if isinstance(part, Chain) else None
     if isinstance(part, Graphlet):
         parts = [part]
@@ -189,10 +197,11 @@ def _blotted(part: Graphlet | Directive | Chain) -> str:
     else:
         parts = list(_graphlets(part))
     names = canonical_names(parts) if parts else {}
+    links = [shared.get(name, "") for name in names]
     if as_chain is not None:
-        return "\n".join(_chain_lines(_renamed(as_chain, names)))
+        return "\n".join(_chain_lines(_renamed(as_chain, names))), links
     head = part.tag if isinstance(part, Directive) else ""
-    return head + "\n".join(line for g in parts for line in write_terms(g.renamed(names)))
+    return head + "\n".join(line for g in parts for line in write_terms(g.renamed(names))), links
 
 
 def _lines(content: Written) -> list[str]:
