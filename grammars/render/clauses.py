@@ -80,6 +80,8 @@ def clause(telling: Telling, term: Term, hedge: str, others: Iterable[Term] = ()
 def _doing(telling: Telling, term: Term, adverb: str) -> Clause:
     agent = linked(term, "agt")
     subject = thing(telling, agent, "subject") if agent else "something"
+    if subject == "they" and telling.mentioned[agent]:
+        subject = "he"  # as in the paper; grammars/forms/rule.lark wants the singular verb
     done = deed(telling, term.name)
     third = be(subject) == "is"
     verb = "does" if third else "do"

@@ -19,6 +19,7 @@ _FORMS: Final[dict[VerbForm, Callable[[str], str]]] = {
 _UNITS_OF_TIME: Final = ("second", "minute", "hour")
 _WAITING: Final = ("wait", "pause", "rest")
 _GOING: Final = ("go", "drive", "move", "step", "roll", "run", "walk", "come", "climb")
+_SENSING: Final = ("see", "hear", "watch", "notice", "feel")
 _TELLING: Final = ("tell", "ask")
 _GIVING: Final = ("show", "give", "bring", "teach", *_TELLING)
 _SIZES: Final = {
@@ -64,6 +65,8 @@ def _arguments(telling: Telling, term: Term) -> list[str]:
         leading = [way for way in ways if what and word(term) in _GOING and way in _LEADING]
         parts += [*leading, what, *(way for way in ways if way not in leading)]
         parts += [f"to {thing(telling, dest)}" if dest else ""]
+    if obj and word(term) in _SENSING:
+        parts += [deed(telling, seen.name, "gerund") for seen in telling.about(obj, "agt")]
     if cmd:
         parts.append(("to " if word(term) in _GIVING else "") + deed(telling, cmd))
     for role, other in term.links:

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
+from grammars.morphology import plural
 from grammars.render.clauses import Clause, clause, naming
 from grammars.render.deeds import be, deed
-from grammars.render.telling import Telling, Voice, is_predicate
-from grammars.render.things import thing
+from grammars.render.telling import Telling, Voice, is_predicate, linked, word
+from grammars.render.things import description, thing
 from kernel.memory.meaning import Question
 from kernel.net.graphlet import Graphlet
 
@@ -16,6 +17,10 @@ def question(asked: Question, voice: Voice) -> str:
     main = asked.about.main
     you, me = ("I", "me") if voice == "robot" else ("you", "you")
     match asked.topic:
+        case "taught" if is_predicate(telling.term(main)) and telling.term(main).kind != "act":
+            return f"who told {me} that {claim(telling, asked.about)}"
+        case "abilities":
+            return f"what can {you} do"
         case "identity":
             return "who are you" if voice == "robot" else "who am I"
         case "doing":
@@ -43,21 +48,60 @@ def _past(telling: Telling, asked: Question, you: str) -> str:
 
 
 def _present(telling: Telling, asked: Question) -> str:
+    head, said = _asked(telling, asked)
+    if asked.ask == "yesno":
+        return f"{said.verb} {said.subject} {said.asked}"
+    if said.subject:
+        return f"{head} {said.verb} {said.subject} {said.asked}".rstrip()
+    return f"{head} {said.stated}"
+
+
+def indirect(asked: Question, voice: Voice) -> str:
+    """What is not known: "whether Mary is a person", "where the red block is"."""
+    head, said = _asked(Telling((asked.about,), (), voice), asked)
+    return f"{'whether' if asked.ask == 'yesno' else head} {said}".replace("  ", " ").strip()
+
+
+def _asked(telling: Telling, asked: Question) -> tuple[str, Clause]:
+    """The question words, and the clause that follows; it has no subject where the question words are that."""
+    main = telling.term(asked.about.main)
+    wanted = asked.wanted or main.name
     match asked.ask:
         case "yesno":
-            said = claim(telling, asked.about)
-            return f"{said.verb} {said.subject} {said.asked}"
-        case "where" | "when" | "how":
-            subject = thing(telling, asked.wanted or asked.about.main, "subject")
-            return f"{asked.ask} {be(subject)} {subject}"
-        case "howmany":
-            return f"how many {thing(telling, asked.wanted or asked.about.main)} are there"
+            return "", claim(telling, asked.about)
+        case "where" if linked(main, "loc"):
+            telling.stated.add(main.name)
+            return "where", _being(thing(telling, linked(main, "loc"), "subject"))
+        case "what" if main.name == wanted and linked(main, "hq"):
+            telling.stated.add(main.name)
+            attribute = " ".join(word(kind) for kind in telling.take(main.name, "ako"))
+            return f"what {attribute}", _being(thing(telling, linked(main, "hq"), "subject"))
+        case "howmany" | "which":
+            telling.hold_back([main])
+            several = asked.ask == "howmany"
+            head = f"{'how many' if several else 'which'} {_bare(telling, wanted, several)}"
+            telling.release([main])
+            if not is_predicate(main):
+                return head, Clause("there", "are", "are", "")
+            telling.mention(wanted)
+            rest = claim(telling, asked.about)
+            plural_verb = "are " + rest.asked if several and rest.verb == "is" else rest.stated
+            return head, Clause("", rest.verb, plural_verb, rest.asked)
         case ask:
-            if asked.about.main == asked.wanted or not asked.wanted:
-                subject = thing(telling, asked.about.main, "subject")
-                return f"{ask} {be(subject)} {subject}"
-            said = claim(telling, asked.about)
-            return f"{ask} {said.stated}"
+            if main.name == wanted:
+                return ask, _being(thing(telling, wanted, "subject"))
+            rest = claim(telling, asked.about)
+            return ask, Clause("", rest.verb, rest.stated, rest.asked)
+
+
+def _being(subject: str) -> Clause:
+    return Clause(subject, be(subject), be(subject), "")
+
+
+def _bare(telling: Telling, name: str, several: bool) -> str:
+    """The description of a thing without article."""
+    before, noun, after = description(telling, name, "one")
+    return " ".join(filter(None, (before, plural(noun) if several else noun, after)))
 
 
 def claim(telling: Telling, about: Graphlet) -> Clause:

@@ -7,9 +7,8 @@ from typing import Final
 from grammars.render.deeds import deed
 from grammars.render.procedures import procedure
 from grammars.render.telling import Telling, Voice
-from grammars.render.things import proper
+from grammars.render.things import pronoun, proper, thing
 from kernel.memory.meaning import Control, Feedback, Identity, Revision, Social
-from kernel.net.graphlet import Graphlet
 
 _MANNERS: Final = {"hello": "hello", "thanks": "thank you", "bye": "goodbye", "sorry": "sorry"}
 _STEERING: Final = {
@@ -47,12 +46,15 @@ def control(meaning: Control, voice: Voice) -> str:
 
 def revision(meaning: Revision, voice: Voice) -> str:
     """A correction: "no, turn right instead of turning left"."""
-    graphlets = [d.graphlet for d in meaning.chain.directives()]
-    known: list[Graphlet] = [
-        g for g in (*graphlets, meaning.instead_of, meaning.of) if g is not None
-    ]
+    found = [d.graphlet for d in meaning.chain.directives() if d.graphlet]
+    known = [g for g in (*found, meaning.instead_of, meaning.of) if g is not None]
     telling = Telling(tuple(known), (), voice)
-    said = f"no, {procedure(telling, meaning.chain)} instead"
-    if meaning.instead_of is not None:
-        said += f" of {deed(telling, meaning.instead_of.main, 'gerund')}"
-    return said
+    steps = procedure(telling, meaning.chain)
+    old = meaning.instead_of
+    if meaning.of is not None:
+        return f"when {pronoun(telling, 'you', 'subject')} {deed(telling, meaning.of.main)}, {steps} first"
+    if old is None:
+        return f"no, {steps} instead"
+    if telling.term(old.main).kind == "act":
+        return f"no, {steps} instead of {deed(telling, old.main, 'gerund')}"
+    return f"not {thing(telling, old.main)}, {thing(telling, found[-1].main) if found else steps}"

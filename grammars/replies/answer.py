@@ -5,13 +5,13 @@ from __future__ import annotations
 from dataclasses import replace
 
 from grammars.render import act_in_words, render, thing_in_words
-from grammars.render.questions import claim, question
+from grammars.render.questions import claim, indirect
 from grammars.render.telling import SAYING, Telling, is_predicate
 from grammars.render.things import proper
 from grammars.replies import Said, both, renders
 from kernel.memory.meaning import Fact, Question
 from kernel.memory.reply import Answer
-from kernel.net.graphlet import Graphlet
+from kernel.net.graphlet import Graphlet, Term
 
 
 @renders(Answer)
@@ -56,13 +56,7 @@ def _unknown(asked: Question) -> str:
         return {"doing": "I am doing nothing", "did": "I did nothing"}.get(
             asked.topic, "nobody taught me anything"
         )
-    telling = Telling((asked.about,), (), "robot")
-    if asked.ask == "yesno":
-        return f"I don't know whether {claim(telling, asked.about)}"
-    if asked.ask in ("where", "who") and not is_predicate(telling.term(asked.about.main)):
-        who = thing_in_words(asked.wanted or asked.about.main, (asked.about,))
-        return f"I don't know {asked.ask} {who} {'am' if who == 'me' else 'is'}"
-    return f"I don't know {question(asked, 'robot')}" if asked.ask != "why" else "I don't know why"
+    return "I don't know why" if asked.ask == "why" else f"I don't know {indirect(asked, 'robot')}"
 
 
 def _found(asked: Question, found: tuple[Graphlet, ...]) -> str:
@@ -94,10 +88,17 @@ def _told(asked: Question, graphlet: Graphlet) -> str:
     if asked.topic == "identity":
         return proper(min(main.lex - {"me", "you"}, default="somebody"))
     if is_predicate(main):
-        return render(graphlet, "robot")
+        return render(_definite(graphlet, main), "robot")
     if main.literal is not None:
         return main.literal
     return _news(asked, graphlet) or thing_in_words(graphlet.main, (graphlet,))
+
+
+def _definite(graphlet: Graphlet, main: Term) -> Graphlet:
+    """The same, its subject spoken of as known: "the block is red"."""
+    subjects = {other for role, other in main.links if role in (*SAYING, "agt")}
+    terms = (replace(t, ref="the") if t.name in subjects else t for t in graphlet)
+    return Graphlet(tuple(terms), graphlet.main)
 
 
 def _news(asked: Question, graphlet: Graphlet) -> str:
