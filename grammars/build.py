@@ -262,6 +262,11 @@ class Build:
             word = compared.slot("adjer") or compared.slot("hq")
             other = self.thing(compared.first("np"))
             return self.add("hq", word, hq=name, than=other, negated=negated)
+        if (called := pred.find("isname")) is not None:
+            self.sketch.change(name, lex=frozenset((called.slot("name"),)))
+            return self.put(name)
+        if pred.has("here"):
+            return self.add("loc", "in front of", loc=name, wrt=self.oneself("you"), negated=negated)
         if (belongs := pred.find("belongs")) is not None:
             return self.add("own", own=name, of=self.thing(belongs, person=True), negated=negated)
         raise NoMeaningError(str(pred))
@@ -349,7 +354,9 @@ class Build:
 
     def _speech(self, speech: AList) -> str:
         verb = next(part.name for part in speech if part.name in ("say", "tell", "ask"))
-        txt = self.add("txt", literal=speech.slot("quote"))
+        if (quote := speech.slot("quote")) == "":
+            raise NoMeaningError(str(speech))
+        txt = self.add("txt", literal=quote)
         links = {"obj": txt}
         if (hearer := speech.find("hearer", "listener")) is not None:
             links["dest"] = self.thing(hearer.find("np") or hearer, person=True)

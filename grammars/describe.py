@@ -31,7 +31,7 @@ def describe(parsed: Parsed) -> dict[str, Any]:
     return {
         "text": parsed.text,
         "kind": parsed.kind,
-        "words": sorted(_words(meaning)),
+        "words": sorted(_words(meaning) - _implied(parsed)),
         "steps": None if chain is None else _steps(chain),
         "parallel": chain is not None and chain.parallel,
         "negated": any(term.negated for graphlet in _graphlets(meaning) for term in graphlet),
@@ -88,14 +88,20 @@ def _within(directives: Any) -> Iterator[Graphlet]:
 
 
 def _words(meaning: Meaning) -> set[str]:
-    """Lemmas and numbers, one word each; quoted speech left out."""
+    """Lemmas, numbers and words of quoted speech, one word each."""
     words = {meaning.name} if isinstance(meaning, Identity) else set()
     for graphlet in _graphlets(meaning):
         for term in graphlet:
             words |= {word for lex in term.lex for word in lex.split()}
-            if term.literal is not None and term.kind in ("amt", "cnt"):
-                words.add(term.literal)
+            if term.literal is not None:
+                words |= set(term.literal.lower().split())
     return words
+
+
+def _implied(parsed: Parsed) -> set[str]:
+    """Words that a sentence of one word leaves out: "forward" is driving."""
+    bare = any(part.name == "bare" for part in parsed.alist.walk())
+    return {"drive", "turn", "raise", "lift"} if bare else set()
 
 
 def _trigger(operator: Operator) -> list[str]:

@@ -24,13 +24,21 @@ from grammars.morphology import readings as verb_readings
 from grammars.nearest import nearest_sentence, near_words
 from grammars.normalise import Piece, pieces, repaired_by_speaker, without_repeats
 from grammars.registry import discover
-from grammars.vocabulary import BORN, OPEN, Vocabulary, lines
+from grammars.vocabulary import BORN, OPEN, Vocabulary, lines, set_phrases
 from kernel.memory.meaning import Meaning
 
 MOST_WORDS: Final = 60
 MOST_READINGS: Final = 6
+# Words around a set phrase that are no part of it.
+ADDRESS: Final = frozenset(
+    "hey okay robot now please well so alright listen kindly for me then thanks".split()
+)
+# Words that build sentences: a quote without quotation marks neither starts with one nor holds several.
+BUILDERS: Final = frozenset(
+    "before after instead means unless until when whenever if then while than because".split()
+)
 # What it costs to take a word as something else than it is known to be, and other things better avoided.
-TERMINAL_COST: Final = {"ANYWORD": 2, "OPENWORD": 1, "STRANGE": 3, "UNK": 10}
+TERMINAL_COST: Final[dict[str, int]] = {"ANYWORD": 2, "OPENWORD": 1, "STRANGE": 3, "UNK": 10}
 CATEGORIES: Final = (
     "VERB VERBS VERBING VERBED GIVE STATE STATES NOUN NOUNS ADJ ADJER ADJEST ADV DEG DIR PROPER NUM UNIT PREP ORD"
     " QUOTED ANYWORD NEWING OPENWORD STRANGE UNK _COMMA"
@@ -103,7 +111,7 @@ def grammar_text() -> str:
     parts = [folder.joinpath(name).read_text("utf8") for name in ("toplevel.lark", "phrase.lark")]
     parts += [folder.joinpath("forms", f"{name}.lark").read_text("utf8") for name in names]
     parts.append(f"_form: {' | '.join(names)}")
-    parts.append("%declare " + " ".join(CATEGORIES))
+    parts.append("%declare " + " ".join((*CATEGORIES, *set_phrases())))
     return "\n".join(parts)
 
 
@@ -202,7 +210,8 @@ class Grammar:
             return [(0, ())]
         if hasattr(node, "token"):
             terminal = rule.expansion[ptr - 1].name
-            return [(TERMINAL_COST.get(terminal, 0), ((terminal, node.token),))]
+            cost = -1 if terminal in set_categories() else TERMINAL_COST.get(terminal, 0)
+            return [(cost, ((terminal, node.token),))]
         return self._rank(node, memo)
 
 
@@ -238,9 +247,14 @@ def _idioms() -> frozenset[tuple[str, ...]]:
 
 
 def productions() -> tuple[Production, ...]:
-    """Every rule, with anonymous terminals as the words they stand for."""
+    """Every rule, with words written out in rules as themselves; a set phrase is a rule of its category."""
     words = {name: word for word, name in grammar().literal.items()}
-    return tuple(
+    phrases = tuple(
+        Production(category, tuple(phrase.split()))
+        for category, said in set_phrases().items()
+        for phrase in said
+    )
+    return phrases + tuple(
         Production(
             rule.origin.name,
             tuple(words.get(s.name, s.name) if s.is_term else s.name for s in rule.expansion),
@@ -271,7 +285,7 @@ def parse(text: str, vocabulary: Vocabulary = BORN, expecting: object = None) ->
     if not found or len(found) > MOST_WORDS or tuple(p.text for p in found) in _idioms():
         raise NotUnderstoodError(text)
     reader = _Reader(text, vocabulary)
-    for variant in _variants(found):
+    for variant in _variants(found, vocabulary):
         if (parsed := reader.read(variant)) is not None:
             return parsed
     for variant, repaired in reader.corrected(found):
@@ -288,15 +302,57 @@ def parse(text: str, vocabulary: Vocabulary = BORN, expecting: object = None) ->
     )
 
 
-def _variants(found: list[Piece]) -> Iterator[list[Piece]]:
-    """The sentence as said, without stammering, and with the speaker's own corrections carried out."""
-    seen = [found]
-    yield found
+def _variants(found: list[Piece], vocabulary: Vocabulary) -> Iterator[list[Piece]]:
+    """The sentence with set phrases made one word, as said, without stammering, and with the speaker's own corrections
+    carried out."""
+    seen: list[list[Piece]] = []
     once = without_repeats(found)
-    for variant in (once, repaired_by_speaker(once)):
-        if variant not in seen:
+    for variant in (
+        _as_phrase(found, vocabulary),
+        _with_phrases(found, vocabulary),
+        found,
+        once,
+        repaired_by_speaker(once),
+    ):
+        if variant and variant not in seen:
             seen.append(variant)
             yield variant
+
+
+def _as_phrase(found: list[Piece], vocabulary: Vocabulary) -> list[Piece]:
+    """The sentence with the set phrase that it consists of made one word; empty if it is none."""
+    words = [piece for piece in found if piece.kind != "comma"]
+    ends = [at for at in range(len(words) + 1) if all(p.text in ADDRESS for p in words[at:])]
+    starts = [at for at in range(len(words)) if all(p.text in ADDRESS for p in words[:at])]
+    for begin in starts:
+        for end in reversed(ends):
+            text = " ".join(piece.text for piece in words[begin:end])
+            if begin < end and any(c in set_categories() for c in vocabulary.readings(text)):
+                return [*words[:begin], _merged(words[begin:end]), *words[end:]]
+    return []
+
+
+def _with_phrases(found: list[Piece], vocabulary: Vocabulary) -> list[Piece]:
+    """The sentence with taught verbs of several words made one word each; empty if there are none."""
+    result, at = list(found), 0
+    while at < len(result):
+        for words in vocabulary.taught_phrases:
+            run = result[at : at + len(words)]
+            if tuple(piece.text for piece in run) == words:
+                result[at : at + len(words)] = [_merged(run)]
+                break
+        at += 1
+    return result if len(result) < len(found) else []
+
+
+def _merged(run: Sequence[Piece]) -> Piece:
+    return Piece("word", " ".join(piece.text for piece in run), run[0].begin, run[-1].end)
+
+
+@cache
+def set_categories() -> frozenset[str]:
+    """Categories of set phrases."""
+    return frozenset(set_phrases())
 
 
 class _Reader:
@@ -458,7 +514,7 @@ def _parts(tree: Tree, text: str) -> Iterable[AList]:
 
 
 def _quote(tree: Tree, text: str) -> str:
-    """The words of a quote, as they stand in the text."""
+    """The words of a quote, as they stand in the text; nothing where they are no quote but scrambled words."""
     leaves: list[Token] = []
 
     def visit(node: Tree) -> None:
@@ -471,4 +527,7 @@ def _quote(tree: Tree, text: str) -> str:
     visit(tree)
     if leaves[0].piece.kind == "quote":
         return leaves[0].piece.text
+    words = [leaf.piece.text for leaf in leaves]
+    if words[0] in BUILDERS or sum(word in BUILDERS for word in words) > 1:
+        return ""
     return re.sub(r"\s+", " ", text[leaves[0].piece.begin : leaves[-1].piece.end]).strip()

@@ -10,6 +10,7 @@ from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
 from importlib.resources import files
+from itertools import product
 from typing import Final
 
 from grammars import morphology
@@ -70,8 +71,25 @@ def _adjective(lexicon: Lexicon, adjective: str) -> None:
             _add(lexicon, word, category, adjective)
 
 
+def set_phrases() -> dict[str, tuple[str, ...]]:
+    """Category to the phrases in it, from `words/phrases.txt`; parts in angle brackets written out."""
+    parts: dict[str, list[str]] = {}
+    for line in lines("phrases"):
+        name, _, body = line.partition("=")
+        found = parts.setdefault(name.strip(), [])
+        for phrase in body.split("|"):
+            pieces = [parts[w[1:-1]] if w.startswith("<") else [w] for w in phrase.split()]
+            found += [" ".join(words) for words in product(*pieces)]
+    return {name: tuple(found) for name, found in parts.items() if name.isupper()}
+
+
 def _born() -> Lexicon:
     lexicon: Lexicon = {}
+    for category, phrases in set_phrases().items():
+        for phrase in phrases:
+            _add(lexicon, phrase, category, phrase)
+            for word in phrase.split():
+                lexicon.setdefault(word, {})
     for files_of, add in (("verbs", _verb), ("states", _state), ("nouns", _noun)):
         for word, _ in _entries(files_of):
             add(lexicon, word)
@@ -125,7 +143,13 @@ class Vocabulary:
     @cached_property
     def everything(self) -> tuple[str, ...]:
         """All words, sorted."""
-        return tuple(sorted({*self.born, *self.taught}))
+        return tuple(sorted(word for word in {*self.born, *self.taught} if " " not in word))
+
+    @cached_property
+    def taught_phrases(self) -> tuple[tuple[str, ...], ...]:
+        """Taught verbs of several words, longest first."""
+        phrases = (tuple(word.split()) for word in self.taught if " " in word)
+        return tuple(sorted(phrases, key=lambda words: (-len(words), words)))
 
 
 BORN: Final = Vocabulary()
@@ -140,6 +164,8 @@ def from_policy(lessons: Iterable[Lesson]) -> Vocabulary:
                 for word in term.lex:
                     if " " not in word:
                         _teach(taught, word, term)
+                    elif term.kind == "act":
+                        _add(taught, word, "VERB", word)
         if lesson.kind == "alias" and isinstance(lesson.content, Rule):
             _alias(taught, lesson.content)
     return Vocabulary(BORN.born, taught)

@@ -41,6 +41,9 @@ def fact(alist: AList) -> Fact:
 
 def _check_subject(said: AList) -> None:
     """Refuse subjects of generic sentences and of small talk: "a girl", "girls", "I"."""
+    pred = said.find("pred")
+    if pred is not None and pred.has("isname"):
+        raise NoMeaningError("a name; read as such")
     subject = said.find("np", "base_np")
     if subject is None:
         return
@@ -60,6 +63,8 @@ def _named(build: Build, named: AList) -> Fact:
             thing = build.pronoun(OWNING[own])
         else:
             owner = named.find("owner")
+            if (np := named.find("np")) is not None and np.slot("ako") == "name":
+                raise NoMeaningError("the name of a name")
             thing = build.thing(named.first("np")) if owner is None else build.thing(owner)
     if not build.finds:
         raise NoMeaningError("a name for nothing in particular")
