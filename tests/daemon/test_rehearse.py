@@ -164,13 +164,9 @@ def test_a_recording_is_heard_by_the_real_recogniser() -> None:
     assert 1.0 < heard.t < 3.0  # when its sound has ended, not when the file was read
 
 
-def test_a_spoken_stop_ends_a_drive(tmp_path: Path) -> None:
-    stop = Path(__file__).parent.parent / "audio" / "stop.wav"
-    played, events = play(f"""
-        you: drive forward for one meter
-        wait: 0.5 s
-        audio: {stop}
-        robot: does not move; moves forward 0..30 cm
-    """)
-    assert all(act.ok for act in played)
-    assert any(isinstance(event, ev.Stopped) for event in events)
+def test_a_spoken_stop_is_spotted_before_it_is_heard_out() -> None:
+    stop = Path(__file__).parent.parent / "dialogues" / "audio" / "stop.wav"
+    _, events = play(f"you: drive forward for one meter\nwait: 0.5 s\naudio: {stop}")
+    stopped = next(event.t for event in events if isinstance(event, ev.Stopped))
+    heard = [event.t for event in events if isinstance(event, ev.Heard)][1]
+    assert 0.5 < stopped < heard
