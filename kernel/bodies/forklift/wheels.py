@@ -32,7 +32,7 @@ EARLY_S = (
     0.06  # one telemetry period: rest seen earlier than that before its end is an interruption
 )
 TRIES = 3
-NEUTRAL_AGAIN_S = 0.15
+STRAY_REPORTS = 4  # telemetry, 50 ms apart, of wheels that nobody wants: the neutral DRIVE was lost
 
 Outcome = tuple[int, MoveFailure | None]
 
@@ -74,8 +74,7 @@ class Wheels:
         self._motions: dict[int, _Motion] = {}
         self._run: _Run | None = None
         self._done_seq: int | None = None
-        self._turning = False
-        self._neutral_s = -math.inf
+        self._stray = 0
 
     def want(self, bids: Sequence[Bid], now_s: float) -> list[Message]:
         """The commands for this tick's complete set of wheel bids."""
@@ -88,10 +87,9 @@ class Wheels:
             self._run = None
         if wanted:
             return [self._start(wanted, now_s)]
-        stray = self._turning and now_s - self._neutral_s > NEUTRAL_AGAIN_S
-        if run is None and not stray:
+        if run is None and self._stray < STRAY_REPORTS:
             return []
-        self._neutral_s = now_s
+        self._stray = 0
         return [Drive(0, 0, 1)]
 
     def settled(self, settled: Settled) -> None:
@@ -126,10 +124,11 @@ class Wheels:
 
     def telemetry(self, telem: Telem, now_s: float) -> None:
         """What the wheels do; stands in for events that were lost."""
-        run, self._turning = self._run, telem.state == State.DRIVING
+        run, turning = self._run, telem.state == State.DRIVING
+        self._stray = self._stray + 1 if turning and run is None else 0
         if run is None or run.seq is None:
             return
-        if self._turning:
+        if turning:
             run.seen = True
         elif telem.state == State.ESTOPPED:
             self._fail(run, "stopped")
@@ -181,7 +180,6 @@ class Wheels:
     def _complete(self, run: _Run) -> None:
         """Its hold ran to the end: the motions it was the rest of are done, others go on at the next tick."""
         self._run = None
-        self._turning = False
         for motion in run.motions:
             motion.left_s -= run.hold_s
             if motion.left_s < LEAST_S:
