@@ -12,10 +12,13 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cache
 from importlib.resources import files
-from typing import Any, Final, cast
+from typing import Any, Final
 
-from lark import Lark
 from lark.exceptions import UnexpectedInput
+from lark.load_grammar import load_grammar
+from lark.parsers import earley
+from lark.parsers.earley_forest import StableSymbolNode
+from lark.utils import OrderedSet
 
 from grammars.alist import AList
 from grammars.build import NoMeaningError
@@ -115,30 +118,54 @@ def grammar_text() -> str:
     return "\n".join(parts)
 
 
+class _Earley(earley.Parser):
+    """lark's Earley parser, set up for a lattice.
+
+    lark's own constructor computes FIRST, FOLLOW and the closure of every rule, half a second's work on this grammar
+    that a parser with lookahead does not need; no rule here is empty, so NULLABLE is.
+    """
+
+    def __init__(self, rules: Sequence[Any], predictions: Any) -> None:
+        self.debug = False
+        self.Tree = None
+        self.Set = OrderedSet
+        self.SymbolNode = StableSymbolNode
+        self.NULLABLE = set()
+        self.predictions = predictions
+        self.TERMINALS = {symbol for rule in rules for symbol in rule.expansion if symbol.is_term}
+        self.NON_TERMINALS = {symbol for rule in rules for symbol in rule.expansion} - self.TERMINALS
+        self.term_matcher = lambda terminal, token: terminal.name in token.readings
+        self.lexer_conf = _NoLexer()
+
+
+class _NoLexer:
+    """The part of a lexer's configuration that lark's parser reads."""
+
+    terminals_by_name: Final[dict[str, Any]] = {}
+
+
 class Grammar:
     """The compiled grammar and the parser over it. Holds no state between sentences but the lookahead of the current
     word, by which rules that cannot start with it are not predicted: that saves three quarters of the work.
     """
 
     def __init__(self, text: str) -> None:
-        self.lark = Lark(
-            text, parser="earley", lexer="basic", ambiguity="forest", start="start", priority=None
-        )
-        parser: Any = cast(Any, self.lark.parser).parser
-        self.parser = parser
-        self.rules = list(self.lark.rules)
-        self.cost = {id(rule): _cost(rule) for rule in self.rules}
-        self.literal = {
+        compiled, _ = load_grammar(text, "toplevel.lark", [], False)
+        terminals, rules, _ = compiled.compile(["start"], "*")
+        self.rules: list[Any] = list(rules)
+        self.cost = {id(rule): -(rule.options.priority or 0) for rule in self.rules}
+        self.literal: dict[str, str] = {
             terminal.pattern.value: terminal.name
-            for terminal in self.lark.terminals
+            for terminal in terminals
             if terminal.pattern.type == "str"
         }
-        self.everything = dict(parser.predictions)
+        self.by_origin: dict[Any, list[Any]] = {}
+        for rule in self.rules:
+            self.by_origin.setdefault(rule.origin, []).append(rule)
         self.lookahead: frozenset[str] = frozenset()
         self.first = self._first_sets()
         self.filtered: dict[tuple[Any, frozenset[str]], list[Any]] = {}
-        parser.predictions = self
-        parser.term_matcher = lambda terminal, token: terminal.name in token.readings
+        self.parser = _Earley(self.rules, self)
 
     def __getitem__(self, symbol: Any) -> list[Any]:
         """Rules for a symbol that can start with the next word; lark asks this as its table of predictions."""
@@ -147,7 +174,7 @@ class Grammar:
         if found is None:
             if len(self.filtered) > 20_000:
                 self.filtered.clear()
-            found = [r for r in self.everything[symbol] if self.first[id(r)] & self.lookahead]
+            found = [r for r in self.by_origin[symbol] if self.first[id(r)] & self.lookahead]
             self.filtered[key] = found
         return found
 
@@ -163,13 +190,10 @@ class Grammar:
                 if not new <= starts[rule.origin.name]:
                     starts[rule.origin.name] |= new
                     changed = True
+        heads = {id(rule): rule.expansion[0] for rule in self.rules}
         return {
-            id(rule): frozenset(
-                {rule.expansion[0].name}
-                if rule.expansion[0].is_term
-                else starts[rule.expansion[0].name]
-            )
-            for rule in (r for rules in self.everything.values() for r in rules)
+            key: frozenset({head.name} if head.is_term else starts[head.name])
+            for key, head in heads.items()
         }
 
     def forest(self, tokens: Sequence[Token]) -> Any:
@@ -228,11 +252,6 @@ class _Lattice:
             self.grammar.lookahead = frozenset(token.readings)
             yield token
         self.grammar.lookahead = frozenset()
-
-
-def _cost(rule: Any) -> int:
-    """Cost of using a rule: its priority in the grammar file, negated."""
-    return -(rule.options.priority or 0)
 
 
 @cache
@@ -416,7 +435,8 @@ class _Reader:
             forest = self.grammar.forest(tokens)
         except UnexpectedInput as error:
             token = getattr(error, "token", None)
-            self.reached = max(self.reached, getattr(token, "index", len(found)))
+            at = token.index if isinstance(token, Token) else len(found)
+            self.reached = max(self.reached, at)
             return None
         forms = discover()
         readings: list[tuple[AList, tuple[str, ...], str, Meaning]] = []
