@@ -74,7 +74,7 @@ def clause(telling: Telling, term: Term, hedge: str, others: Iterable[Term] = ()
     telling.release(waiting)
     denied = "not " if term.negated and subject != "nothing" else ""
     verb = be(subject)
-    return Clause(subject, verb, f"{verb} {adverb}{denied}{rest}", f"{adverb}{denied}{rest}")
+    return Clause(subject, verb, f"{verb} {denied}{adverb}{rest}", f"{denied}{adverb}{rest}")
 
 
 def _doing(telling: Telling, term: Term, adverb: str) -> Clause:

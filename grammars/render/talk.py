@@ -49,12 +49,13 @@ def revision(meaning: Revision, voice: Voice) -> str:
     found = [d.graphlet for d in meaning.chain.directives() if d.graphlet]
     known = [g for g in (*found, meaning.instead_of, meaning.of) if g is not None]
     telling = Telling(tuple(known), (), voice)
-    steps = procedure(telling, meaning.chain)
     old = meaning.instead_of
+    if old is not None and telling.term(old.main).kind != "act":
+        return f"not {thing(telling, old.main)}, {thing(telling, found[-1].main)}"
+    steps = procedure(telling, meaning.chain)
     if meaning.of is not None:
-        return f"when {pronoun(telling, 'you', 'subject')} {deed(telling, meaning.of.main)}, {steps} first"
+        you = pronoun(telling, "you", "subject")
+        return f"when {you} {deed(telling, meaning.of.main)}, {steps} first"
     if old is None:
         return f"no, {steps} instead"
-    if telling.term(old.main).kind == "act":
-        return f"no, {steps} instead of {deed(telling, old.main, 'gerund')}"
-    return f"not {thing(telling, old.main)}, {thing(telling, found[-1].main) if found else steps}"
+    return f"no, {steps} instead of {deed(telling, old.main, 'gerund')}"

@@ -67,14 +67,14 @@ class Draft:
         self.board = before
         return owner
 
-    def thing(self, definite: bool = True, deep: bool = True, pattern: bool = True) -> str:
+    def thing(self, articles: str = "both", deep: bool = True, pattern: bool = True) -> str:
         """Something described: a name, "something", "a red block", "my cup", "the cup next to the ball"."""
         sort = self.one_of("name", "something", "described", "described", "described")
         if sort == "name" or not self.kinds:
             return self.add("obj", self.one_of(*NAMES))
         if sort == "something":
             return self.add("obj")
-        ref = self.one_of("", "the") if definite else ""
+        ref = {"both": self.one_of("", "the"), "a": "", "the": "the"}[articles]
         thing = self.add("obj", ref=ref)
         described = self.one_of(*self.kinds)
         self.kinds.remove(described)
@@ -92,10 +92,10 @@ class Draft:
             self.add("own", own=thing, of=self._owner(pattern))
         return thing
 
-    def looked_up(self) -> str:
+    def looked_up(self, articles: str = "both") -> str:
         """A thing with its FIND."""
         before, self.board = self.board, []
-        thing = self.thing(pattern=False)
+        thing = self.thing(articles, pattern=False)
         self.finds.append(self.graphlet(thing))
         self.board = before
         return thing
@@ -196,7 +196,7 @@ def _prohibition(draft: Draft) -> Meaning:
     trigger = draft.graphlet(act)
     enablement: tuple[Graphlet, ...] = ()
     if draft.maybe():
-        enablement = (draft.graphlet(draft.statement(draft.thing(definite=False))),)
+        enablement = (draft.graphlet(draft.statement(draft.thing(articles="a"))),)
     punt = Directive("PUNT")
     chain = draft.chain(punt) if draft.maybe() else Chain((Play((punt,)),))
     return Teach("prohibition", Operator(Directive("ANTE", trigger), chain, enablement))
@@ -208,17 +208,21 @@ def _permission(draft: Draft) -> Meaning:
 
 
 def _rule(draft: Draft) -> Meaning:
-    thing = draft.thing(definite=False, deep=False)
+    thing = draft.thing(articles="a", deep=False)
     main = draft.statement(thing)
     condition = draft.graphlet(main)
     conclusion = draft.graphlet(draft.statement(thing))
+    known = condition.names & conclusion.names  # the robot itself, described once
+    kept = tuple(term for term in conclusion if term.name not in known)
+    conclusion = Graphlet(kept, conclusion.main)
     belief = draft.draw(st.sampled_from([0.2, 0.5, 0.7, 0.8, 1.0]))
     return Teach("rule", Rule(condition, conclusion, belief=belief))
 
 
 def _fact(draft: Draft) -> Meaning:
-    thing = draft.looked_up()
-    return Fact(draft.graphlet(draft.statement(thing)), tuple(draft.finds))
+    thing = draft.looked_up("the")
+    finds = tuple(g for g in draft.finds if len(g.terms) > 1 or g.term(g.main).lex)
+    return Fact(draft.graphlet(draft.statement(thing)), finds)  # "something" is new, not looked up
 
 
 commands = _with(lambda draft: Command(draft.chain()))
