@@ -77,8 +77,10 @@ class Mind:
         commons, now_s = self._commons, inputs.now_s
         commons.tick.now_s, commons.tick.body = now_s, inputs.body
         commons.tick.spoken = inputs.spoken
-        commons.persisted |= dict(inputs.persisted)
-        commons.persist_failed |= dict(inputs.persist_failed)
+        for key, ident in inputs.persisted:
+            commons.kept(key, ident)
+        for key, why in inputs.persist_failed:
+            commons.not_kept(key, why)
         if inputs.stop_epoch > self.epoch:
             self._halt(inputs.stop_epoch)
         self._sense(inputs)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import TYPE_CHECKING, Final
 
 from kernel.action.chain import Directive
@@ -14,8 +14,8 @@ from kernel.memory.attention import Failure
 from kernel.memory.choice import choice_weights, in_turn
 from kernel.memory.lesson import Lesson, Operator
 from kernel.memory.meaning import Question
-from kernel.memory.recall import answer, known
-from kernel.memory.reply import LessonTaken, Reason
+from kernel.memory.recall import answer, is_so, known
+from kernel.memory.reply import Reason
 from kernel.net.graphlet import Graphlet
 from kernel.net.match import Binding, holds, matches
 from kernel.net.node import Node, describe
@@ -235,8 +235,9 @@ class RunningStep:
         bound = known(graphlet, self.frame.binding)
         for pattern, verdict in ((graphlet, True), (graphlet.denied(), False)):
             for binding in matches(pattern, memory.net, memory.depth, bound, self.threshold):
-                self.frame.binding = {**self.frame.binding, **binding}
-                return verdict
+                if is_so(binding):
+                    self.frame.binding = {**self.frame.binding, **binding}
+                    return verdict
         return None
 
     def referent(self) -> bool:
@@ -254,24 +255,16 @@ class RunningStep:
         return (yield from call(self.commons, self.focus, min(self.node.lex), act))
 
     def learn(self) -> Run:
-        """Persist, wait, put in force, acknowledge."""
+        """Wait until the lesson is kept, or is not."""
         lesson = self.focus.lesson
         if lesson is None:
             return Verdict.FAILED
-        commons, key = self.commons, self.commons.next_number()
-        commons.persist.append((key, lesson))
-        while key not in commons.persisted:
-            if key in commons.persist_failed:
-                why = commons.persist_failed.pop(key)
-                self.focus.failure = Failure("not_stored", None, why)
-                return Verdict.FAILED
+        key = self.commons.keep(self.focus, lesson)
+        while key in self.commons.pending:
             yield
-        lesson = replace(lesson, ident=commons.persisted.pop(key))
-        commons.enforce(lesson)
-        commons.record("lesson", self.focus, ident=lesson.ident, kind=lesson.kind)
-        if lesson.kind != "fact":
-            commons.replies.append(LessonTaken(lesson))
-        return Verdict.SUCCEEDED
+        failure = self.focus.failure
+        refused = failure is not None and failure.reason == "not_stored"
+        return Verdict.FAILED if refused else Verdict.SUCCEEDED
 
     def answer(self) -> None:
         """Reply to the focus's question."""

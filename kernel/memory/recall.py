@@ -82,6 +82,11 @@ def missing(find: Directive) -> str:
     return " ".join(names or kinds) or (main.ref if main else "") or "it"
 
 
+def is_so(binding: Binding) -> bool:
+    """Whether the match rests on what is so, and not on what somebody has merely said."""
+    return all(node.kind != "said" for node in binding.values())
+
+
 def answer(question: Question, memory: WorkingMemory) -> Answer:
     """What memory has to say to a question about what is so."""
     about = question.about
@@ -92,14 +97,14 @@ def answer(question: Question, memory: WorkingMemory) -> Answer:
         )
     if question.ask == "yesno":
         for pattern, positive in ((about, True), (about.denied(), False)):
-            for binding in matches(pattern, memory.net, memory.depth):
+            for binding in filter(is_so, matches(pattern, memory.net, memory.depth)):
                 memory.mention(binding[about.main])
                 return Answer(
                     question, "yes" if positive else "no", (describe(binding[about.main]),)
                 )
         return Answer(question, "unknown")
     found = []
-    for binding in matches(about, memory.net, memory.depth):
+    for binding in filter(is_so, matches(about, memory.net, memory.depth)):
         wanted = binding.get(question.wanted or about.main)
         if wanted is not None and wanted not in found:
             found.append(wanted)

@@ -106,6 +106,7 @@ class Robot:
     def __init__(
         self, lessons: Iterable[Lesson] = (), seed: int = 0, settings: Settings | None = None
     ) -> None:
+        lessons = tuple(lessons)
         self.mind = Mind(lessons, seed, settings)
         self.body = Frictionless()
         self.now_s = 0.0
@@ -118,7 +119,7 @@ class Robot:
         self._tickets: set[int] = set()
         self._heard: list[Heard] = []
         self._speaking: dict[int, float] = {}
-        self._stored = 0
+        self._stored = max((lesson.ident for lesson in lessons), default=0)
         self._epoch = 0
 
     # -- time ------------------------------------------------------------------------------

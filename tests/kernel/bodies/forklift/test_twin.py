@@ -24,6 +24,11 @@ def go(twin: Twin, pulses: Pulses, seconds: float, rest_s: float = 0.3) -> Truth
     return twin.truth()
 
 
+def read(twin: Twin, pulses: Pulses = REST) -> figures.Sensors:
+    twin.advance(pulses)
+    return twin.sensors()
+
+
 def block(x_cm: float, y_cm: float = 0.0, low: bool = False, noun: str = "block") -> Thing:
     thing = usual(noun, low=low)
     return Thing(noun, None, None, low, x_cm, y_cm, 0.0, thing.along_cm, thing.across_cm)
@@ -87,7 +92,7 @@ def test_the_gripper_misses_what_is_beside_beyond_too_wide_or_fixed(thing: Thing
 @pytest.mark.parametrize("ahead_cm", [0.5, 4, 10, 25, 38])
 def test_the_beam_measures_from_the_grippers_front(ahead_cm: float) -> None:
     twin = Twin(Scene(things=(block(7 + ahead_cm + 1, noun="wall"),)), 1)
-    readings = [figures.range_m(twin.advance(REST).range_adc) or 9 for _ in range(40)]
+    readings = [figures.range_m(read(twin).range_adc) or 9 for _ in range(40)]
     assert sum(readings) / 40 * 100 == pytest.approx(ahead_cm, abs=0.5)
     assert twin.truth().range_cm == pytest.approx(ahead_cm, abs=0.01)
 
@@ -97,7 +102,7 @@ def test_the_beam_measures_from_the_grippers_front(ahead_cm: float) -> None:
 )
 def test_nothing_low_or_aside_is_in_the_beam(scene: Scene) -> None:
     twin = Twin(scene, 1)
-    assert {figures.range_m(twin.advance(REST).range_adc) for _ in range(40)} == {None}
+    assert {figures.range_m(read(twin).range_adc) for _ in range(40)} == {None}
 
 
 def test_what_follows_keeps_its_place_and_touches_nothing() -> None:
@@ -111,7 +116,7 @@ def test_what_follows_keeps_its_place_and_touches_nothing() -> None:
 def test_the_same_seed_gives_the_same_world_bit_for_bit() -> None:
     def history(seed: int) -> list[object]:
         twin = Twin(Scene(things=tuple(block(14 + 4 * n, n % 3 - 1) for n in range(8))), seed)
-        return [(twin.advance(FORWARD), twin.truth(), twin.things) for _ in range(200)]
+        return [(read(twin, FORWARD), twin.truth(), twin.things) for _ in range(200)]
 
     assert history(4) == history(4)
     assert history(4) != history(5)
@@ -119,6 +124,6 @@ def test_the_same_seed_gives_the_same_world_bit_for_bit() -> None:
 
 def test_the_battery_falls_and_sags_under_load() -> None:
     twin = Twin(Scene(), 1)
-    resting = [twin.advance(REST).battery_adc for _ in range(20)]
-    driving = [twin.advance(FORWARD).battery_adc for _ in range(20)]
+    resting = [read(twin).battery_adc for _ in range(20)]
+    driving = [read(twin, FORWARD).battery_adc for _ in range(20)]
     assert max(driving[5:]) < min(resting)

@@ -1,0 +1,67 @@
+"""ASK: a question is answered from memory; not knowing is an answer."""
+
+from typing import Any
+
+import pytest
+
+from kernel.memory.meaning import Question
+from kernel.memory.notation import read
+from kernel.memory.reply import Answer
+from kernel.net.graphlet import Graphlet
+
+TALL = "hq-1 -lex- tall\n{}-hq-> obj-2\nobj-2 -lex- mary"
+
+
+def ask(robot: Any, question: Question) -> Answer:
+    robot.hear(question)
+    robot.settle()
+    reply = robot.replies[-1]
+    assert isinstance(reply, Answer)
+    return reply
+
+
+def graphlet(text: str) -> Graphlet:
+    content = read(text)
+    assert isinstance(content, Graphlet)
+    return content
+
+
+@pytest.mark.parametrize(
+    ("told", "asked", "verdict"),
+    [
+        (None, "", "unknown"),
+        ("", "", "yes"),
+        ("-neg- yes; ", "", "no"),
+        ("", "-neg- yes\n", "no"),
+        ("-neg- yes; ", "-neg- yes\n", "yes"),
+    ],
+)
+def test_yes_no_and_i_do_not_know(robot: Any, told: str | None, asked: str, verdict: str) -> None:
+    if told is not None:
+        robot.tell(f"hq-1 -lex- tall; {told}-hq-> obj-2", "obj-2 -lex- mary")
+    assert ask(robot, Question("yesno", graphlet(TALL.format(asked)))).verdict == verdict
+
+
+def test_what_is_asked_for_is_described(robot: Any) -> None:
+    robot.tell("hq-1 -lex- tall; -hq-> obj-2", "obj-2 -lex- mary")
+    answer = ask(robot, Question("who", graphlet("hq-1 -lex- tall\n-hq-> obj-2"), "obj-2"))
+    assert answer.verdict == "found"
+    assert "mary" in answer.found[0].words()
+    assert (
+        ask(robot, Question("who", graphlet("hq-1 -lex- red\n-hq-> obj-2"), "obj-2")).verdict
+        == "unknown"
+    )
+
+
+def test_who_am_i(robot: Any) -> None:
+    who = Question("who", graphlet("obj-1 -lex- me"), "obj-1", topic="identity")
+    assert ask(robot, who).verdict == "unknown"
+    robot.i_am("rick")
+    answer = ask(robot, who)
+    assert answer.verdict == "found"
+    assert "rick" in answer.found[0].words()
+
+
+def test_asking_changes_nothing(robot: Any) -> None:
+    for _ in range(2):
+        assert ask(robot, Question("yesno", graphlet(TALL.format("")))).verdict == "unknown"
