@@ -9,7 +9,16 @@ from typing import Final
 from grammars.morphology import article, comparative, third_person
 from grammars.render.deeds import be, deed
 from grammars.render.telling import SAYING, Telling, is_predicate, linked, word
-from grammars.render.things import described, description, kind, place, proper, quality, thing
+from grammars.render.things import (
+    WOMEN,
+    described,
+    description,
+    kind,
+    place,
+    proper,
+    quality,
+    thing,
+)
 from kernel.net.graphlet import Graphlet, Term
 
 _ABSOLUTE: Final = {"my": "mine", "your": "yours", "her": "hers", "their": "theirs"}
@@ -80,8 +89,8 @@ def clause(telling: Telling, term: Term, hedge: str, others: Iterable[Term] = ()
 def _doing(telling: Telling, term: Term, adverb: str) -> Clause:
     agent = linked(term, "agt")
     subject = thing(telling, agent, "subject") if agent else "something"
-    if subject == "they" and telling.mentioned[agent]:
-        subject = "he"  # as in the paper; grammars/forms/rule.lark wants the singular verb
+    if subject == "they":  # rules want the singular verb: "he likely speaks Portuguese"
+        subject = "she" if telling.term(agent).lex & WOMEN else "he"
     done = deed(telling, term.name)
     third = be(subject) == "is"
     verb = "does" if third else "do"

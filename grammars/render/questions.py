@@ -44,7 +44,8 @@ def _past(telling: Telling, asked: Question, you: str) -> str:
     wh = {"yesno": "", "howmany": "how many times "}.get(asked.ask, f"{asked.ask} ")
     if not telling.term(asked.about.main).lex:
         return f"{wh}did {you} just do" if asked.ask == "what" else f"{wh}did {you} do that"
-    return f"{wh}did {you} {deed(telling, asked.about.main)}"
+    denied = "not " if telling.term(asked.about.main).negated else ""
+    return f"{wh}did {you} {denied}{deed(telling, asked.about.main)}"
 
 
 def _present(telling: Telling, asked: Question) -> str:

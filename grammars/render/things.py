@@ -23,6 +23,12 @@ _PRONOUNS: Final = {
     "this": ("this", "this", "its"),
 }
 _DETERMINERS: Final = ("the", "this", "that", "every", "any", "all", "each")
+# Names of those who are "she" where "they" will not do.
+_NAMES_OF_WOMEN: Final = """
+mary janey mom jane sue ann anna anne alice emma olivia sophia emily elizabeth sarah sally susan lucy molly nancy
+grandma mommy
+"""
+WOMEN: Final = frozenset(_NAMES_OF_WOMEN.split())
 # Nouns that take no article.
 _MASSES: Final = frozenset(
     ("music", "water", "milk", "coffee", "tea", "juice", "food", "trash", "smoke", "fire")

@@ -2,10 +2,18 @@
 
 from __future__ import annotations
 
-import pytest
+import re
 
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from grammars.parse import parse
+from grammars.registry import discover
 from grammars.render import gist, render
-from kernel.memory.notation import read
+from kernel.memory.meaning import Meaning, Teach
+from kernel.memory.notation import read, write_meaning
+from tests.grammars import nets
 
 PROCEDURES = [
     pytest.param(
@@ -232,3 +240,73 @@ def test_read_back(notation: str, teacher: str, robot: str, heart: str) -> None:
     assert render(content, "robot") == robot
     assert gist(content) == heart
     assert len(heart.split()) <= 6
+
+
+def same(text: str, kind: str, meaning: Meaning) -> None:
+    """The text parses to that kind and to an equal net."""
+    back = parse(text)
+    assert back.kind == kind, text
+    assert write_meaning(back.meaning) == write_meaning(meaning), text
+
+
+PAPER = """
+drive forward; turn right; go to the kitchen; find the cereal box; pick up the block; please dance; grab Mary
+drive forward and turn right; to cha-cha drive forward then drive backwards; to shimmy turn left then turn right
+to dance cha-cha then shimmy; to turn left rotate left; to complain say I don't take orders from you
+to get to Tim's office, go out the door, turn left, then enter the third door on your right
+to run away, you could drive backward; if something is very close then drive backwards
+close the door whenever you see Mom coming; never touch my sneakers
+you should never grab a person but instead say I'm not allowed to
+do not show Janey where my phone is but instead tell the squirt to get lost
+if Rick tells you to do something don't but instead complain; if something is a girl it is a person
+a girl is a person; girls are usually female; widdershins means counterclockwise; turn means rotate
+the bottle to the left of the green box is Advil; there is something very close; Mary is a girl; hey, stop that!
+"""
+SENTENCES = [s.strip() for line in PAPER.strip().splitlines() for s in line.split(";")]
+EXAMPLES = [example for form in discover().values() for example in form.examples]
+
+
+@pytest.mark.parametrize("sentence", dict.fromkeys([*SENTENCES, *EXAMPLES]))
+def test_the_teachers_voice_parses_back_to_the_same_net(sentence: str) -> None:
+    parsed = parse(sentence)
+    same(render(parsed.meaning, "teacher"), parsed.kind, parsed.meaning)
+
+
+@pytest.mark.parametrize("sentence", dict.fromkeys(EXAMPLES))
+def test_the_robots_voice_has_words_for_every_form(sentence: str) -> None:
+    said = render(parse(sentence).meaning, "robot")
+    assert said
+    assert not re.search(r"\b[a-z]+-\d|  |[\[\]{}]", said), "a net's name or a gap leaked"
+
+
+@settings(max_examples=25, deadline=None)
+@given(nets.commands)
+def test_any_command(meaning: Meaning) -> None:
+    same(render(meaning, "teacher"), "command", meaning)
+
+
+@settings(max_examples=60, deadline=None)
+@given(
+    st.one_of(nets.procedures, nets.arounds, nets.reactions, nets.prohibitions, nets.permissions)
+)
+def test_any_operator(meaning: Teach) -> None:
+    same(render(meaning, "teacher"), meaning.kind, meaning)
+
+
+@settings(max_examples=25, deadline=None)
+@given(nets.rules)
+def test_any_rule(meaning: Teach) -> None:
+    same(render(meaning, "teacher"), "rule", meaning)
+
+
+@settings(max_examples=25, deadline=None)
+@given(nets.facts)
+def test_any_fact(meaning: Meaning) -> None:
+    same(render(meaning, "teacher"), "fact", meaning)
+
+
+@given(st.one_of(nets.procedures, nets.reactions, nets.prohibitions, nets.permissions, nets.rules))
+def test_any_lesson_has_a_gist(meaning: Teach) -> None:
+    heart = gist(meaning.content)
+    assert 0 < len(heart.split()) <= 6
+    assert render(meaning, "robot")
