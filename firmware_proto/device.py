@@ -92,14 +92,16 @@ class Device:
     def receive(self, data: bytes, now_s: float) -> None:
         """Take bytes from the host."""
         self.advance(now_s)
-        for frame in self._reader.feed(data):
-            self._handle(frame)
+        if data:
+            for frame in self._reader.feed(data):
+                self._handle(frame)
 
     def advance(self, now_s: float) -> None:
         """Let time pass: hold time, lease, slew, guard, telemetry."""
         dt_s, self._now_s = max(0.0, now_s - self._now_s), max(now_s, self._now_s)
-        self._lift.advance(dt_s)
-        self._grip.advance(dt_s)
+        for slew in (self._lift, self._grip):
+            if slew.moving:
+                slew.advance(dt_s)
         if self._lease_until_s is not None and self._now_s >= self._lease_until_s:
             self._lease_until_s = None
             turning = self._halt()

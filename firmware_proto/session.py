@@ -156,9 +156,10 @@ class Session:
 
     def receive(self, data: bytes, now_s: float) -> list[Message]:
         """Take bytes from the far end; telemetry, events and settled commands come back, in order."""
-        for frame in self._reader.feed(data):
-            if frame.session == self._number and not self.over:
-                self._handle(frame, now_s)
+        if data:
+            for frame in self._reader.feed(data):
+                if frame.session == self._number and not self.over:
+                    self._handle(frame, now_s)
         told, self._told = self._told, []
         return told
 

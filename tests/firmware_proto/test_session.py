@@ -265,12 +265,12 @@ def test_while_the_link_is_down_nothing_is_queued() -> None:
     assert [s.result for s in road.settled()] == [None]
 
 
-@settings(max_examples=25)
+@settings(max_examples=15)
 @given(st.integers(0, 2**32), st.floats(0.0, 0.25))
 def test_an_acknowledged_command_was_executed_exactly_once(seed: int, loss: float) -> None:
     road = ready(seed, loss)
     sent: list[Drive] = []
-    for number in range(1, 40):
+    for number in range(1, 30):
         if road.session.over:
             break
         sent.append(Drive(number, -number, 1))

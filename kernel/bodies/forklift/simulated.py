@@ -28,6 +28,7 @@ OUTLINE_CM = {
 }
 BETWEEN_FINGERS_CM = 5.0
 OUTAGE_S = 2.0
+SENSOR_STEPS = 4  # the rangefinder of the kind we model measures every 20 ms or so
 
 Lock = AbstractContextManager[object]
 
@@ -170,8 +171,10 @@ class SimulatedForklift:
         self._steps += 1
         now_s, device = self.now_s, self.device
         device.receive(self._to_robot.pop(now_s), now_s)
-        sensors = self._twin.advance(device.pulses)
-        device.sense(sensors.range_adc, sensors.grip_adc, sensors.battery_adc)
+        self._twin.advance(device.pulses)
+        if self._steps % SENSOR_STEPS == 0:
+            sensors = self._twin.sensors()
+            device.sense(sensors.range_adc, sensors.grip_adc, sensors.battery_adc)
         out = device.transmit()
         if out and now_s >= self._dead_until_s:
             self._to_host.push(out, now_s)

@@ -74,6 +74,7 @@ class Twin:
         self._space.sleep_time_threshold = 0.3
         self._space.idle_speed_threshold = 0.2
         self._placed: list[_Placed] = []
+        self._followers: list[_Placed] = []
         self._left_m_s = self._right_m_s = 0.0
         self._lift, self._opening = 0.0, 1.0
         self._held: _Placed | None = None
@@ -107,8 +108,8 @@ class Twin:
 
     # ---- the robot ------------------------------------------------------------------------------------------
 
-    def advance(self, pulses: Pulses) -> figures.Sensors:
-        """One step of 5 ms with these pulse widths; what the sensors read at its end."""
+    def advance(self, pulses: Pulses) -> None:
+        """One step of 5 ms with these pulse widths."""
         gain = STEP_S / WHEEL_LAG_S
         self._left_m_s += (figures.wheel_speed_m_s(pulses.left_us) - self._left_m_s) * gain
         self._right_m_s += (figures.wheel_speed_m_s(pulses.right_us) - self._right_m_s) * gain
@@ -121,9 +122,10 @@ class Twin:
         self._lift = figures.servo_fraction(pulses.lift_us)
         self._close_or_open(figures.servo_fraction(pulses.grip_us))
         self._drained_v += BATTERY_V_PER_S * STEP_S * (1 + 20 * abs(speed_cm_s) / 100)
-        return self._sensors(abs(self._left_m_s) + abs(self._right_m_s) > 0.01)
 
-    def _sensors(self, loaded: bool) -> figures.Sensors:
+    def sensors(self) -> figures.Sensors:
+        """What the converter reads now, noise and all."""
+        loaded = abs(self._left_m_s) + abs(self._right_m_s) > 0.01
         noise = self._chance.gauss
         volts = figures.range_volts(self._ray_cm())
         battery = BATTERY_V - self._drained_v - (BATTERY_SAG_V if loaded else 0.0)
@@ -233,6 +235,7 @@ class Twin:
         if follows:
             x, y = self._robot.world_to_local((thing.x_cm, thing.y_cm))
             placed.follows = (x, y, thing.turned_rad - self._robot.angle)
+            self._followers.append(placed)
         self._filter(placed)
         self._placed.append(placed)
         self._space.add(placed.body, placed.shape)
@@ -253,6 +256,7 @@ class Twin:
         if placed is self._held:
             self._let_go()
         del self._placed[number]
+        self._followers = [other for other in self._followers if other is not placed]
         self._space.remove(placed.shape, placed.body, *placed.floor)
         return placed.now()
 
@@ -286,7 +290,7 @@ class Twin:
         )
 
     def _follow(self) -> None:
-        for placed in self._placed:
+        for placed in self._followers:
             if placed.follows is not None:
                 x, y, turned = placed.follows
                 placed.body.position = self._robot.local_to_world((x, y))
