@@ -24,6 +24,8 @@ from daemon.clock import Clock, process_age_s
 from daemon.config import Config
 from daemon.control.messages import OutcomeWord
 from daemon.control.server import ControlServer
+from daemon.ears import Ears
+from daemon.journal import journal
 from daemon.link import Link
 from daemon.loop import Cycle
 from daemon.notify import Notifier
@@ -36,8 +38,6 @@ from daemon.writer import Writer
 from kernel.memory.meaning import Utterance
 
 SETTLE_S: Final = 60.0  # how long a client is kept waiting for an utterance to come to an end
-
-log = logging.getLogger("sayso")
 
 
 def main(config: Config, *, verbose: bool = False) -> int:
@@ -91,7 +91,7 @@ class App:
         self._closing = asyncio.Event()
         self._utterances: asyncio.Queue[_Waiting] = asyncio.Queue()
         self._parser = ThreadPoolExecutor(1, thread_name_prefix="parse")
-        self._watchers: list[Callable[[events.Event], None]] = [self._log]
+        self._watchers: list[Callable[[events.Event], None]] = [journal]
         self._settling: list[asyncio.Future[None]] = []
         self._notifier = Notifier()
         self._store = store
@@ -99,13 +99,14 @@ class App:
         self._parts = assemble(config, store, self._writer, self._emit)
         self._cycle = self._parts.cycle
         self._parts.link.on_arrival = self._awake.set
+        self._ears = Ears(config.hearing, self._cycle, self.submit)
 
     async def run(self) -> int:
         """Serve until SIGTERM or SIGINT; the exit status."""
         server = ControlServer(configuration.socket_path(self._config), self)
         bound = server.bind()
         for number in (signal.SIGTERM, signal.SIGINT):
-            self._loop.add_signal_handler(number, self._closing.set)
+            self._loop.add_signal_handler(number, self.close)
         try:
             async with asyncio.TaskGroup() as group:
                 tasks = [
@@ -115,6 +116,7 @@ class App:
                         "control": self._control(server, bound),
                         "understanding": self._understand(),
                         "loop": self._turn(),
+                        "hearing": supervise("hearing", self._ears.serve, self._failed),
                     }.items()
                 ]
                 await self._warm_up()
@@ -127,6 +129,7 @@ class App:
                 for task in tasks:
                     task.cancel()
         finally:
+            self._ears.close()
             self._parser.shutdown(wait=False, cancel_futures=True)
             self._writer.close()
             self._store.close()
@@ -165,8 +168,18 @@ class App:
         return await self._follow(Utterance(text, speaker, self._clock.wall_s()), source)
 
     async def hear(self, path: Path, speaker: str, source: str) -> OutcomeWord:
-        """Take what a WAV file says and wait for what it comes to."""
-        raise NotImplementedError
+        """Take what a sound file says, at the times its own sound has, and wait for what it comes to.
+
+        Raises:
+            ValueError: the file cannot be heard, or the recogniser cannot be used.
+        """
+        following = Following()
+        unsubscribe = self.subscribe(following.see)
+        try:
+            await self._ears.play(path, speaker, source)
+            return await self._settled(following)
+        finally:
+            unsubscribe()
 
     def stop(self, source: str) -> int:
         """STOP, at once; the new epoch."""
@@ -234,18 +247,22 @@ class App:
         following = Following(utterance.text)
         unsubscribe = self.subscribe(following.see)
         try:
-            await self._submit(utterance, source)
-            settled: asyncio.Future[None] = self._loop.create_future()
-            self._settling.append(settled)
+            await self.submit(utterance, source)
+            return await self._settled(following)
+        finally:
+            unsubscribe()
+
+    async def _settled(self, following: Following) -> OutcomeWord:
+        settled: asyncio.Future[None] = self._loop.create_future()
+        self._settling.append(settled)
+        try:
             async with asyncio.timeout(SETTLE_S):
                 await settled
         except TimeoutError:
             return "running"
-        finally:
-            unsubscribe()
         return following.outcome
 
-    def _submit(self, utterance: Utterance, source: str) -> asyncio.Future[None]:
+    def submit(self, utterance: Utterance, source: str) -> asyncio.Future[None]:
         """Into the parser's queue; a stop word acts now. The result is there once the meaning is on its way."""
         epoch = self._cycle.begin(utterance, source)
         taken: asyncio.Future[None] = self._loop.create_future()
@@ -255,12 +272,10 @@ class App:
 
     async def _warm_up(self) -> None:
         """Compile the grammar before the first sentence comes: ready means able to listen."""
-        utterance = Utterance("stop")
+        words = self._cycle.vocabulary
         try:
-            await self._loop.run_in_executor(
-                self._parser, understand, utterance, self._cycle.vocabulary
-            )
-        except Exception as error:  # a grammar that does not compile: said now, not at the first sentence
+            await self._loop.run_in_executor(self._parser, understand, Utterance("stop"), words)
+        except Exception as error:  # told now, not at the first sentence
             self._failed("understanding", f"{type(error).__name__}: {error}")
 
     def _ready(self) -> None:
@@ -272,7 +287,7 @@ class App:
             else ""
         )
         for lesson in self._parts.loaded.resting:
-            log.warning("lesson %d rests: %s: %s", lesson.ident, lesson.words, lesson.why)
+            self._failed("store", f"lesson {lesson.ident} rests: {lesson.words}: {lesson.why}")
         line = f"ready after {seconds:.2f} s: {self._config.robot.uri}, {known}{resting}"
         self._announce(line)
         self._notifier.ready(line)
@@ -280,22 +295,6 @@ class App:
     def _emit(self, event: events.Event) -> None:
         for see in tuple(self._watchers):
             see(event)
-
-    def _log(self, event: events.Event) -> None:
-        match event:
-            case events.Pose():
-                return
-            case events.Link(up=up):
-                level = logging.INFO if up else logging.WARNING
-            case events.Error():
-                level = logging.ERROR
-            case events.Noted():
-                level = logging.DEBUG
-            case _:
-                level = logging.INFO
-        if log.isEnabledFor(level):
-            fields = {k: v for k, v in events.as_dict(event).items() if k not in ("t", "event")}
-            log.log(level, "%s %s", events.name(event), fields)
 
     def _failed(self, part: str, reason: str) -> None:
         self._emit(events.Error(t=self._clock.now_s(), part=part, text=reason))

@@ -6,6 +6,7 @@ Virtual time: nothing is waited for. Lessons go to the same store as the daemon'
 from __future__ import annotations
 
 from collections.abc import Callable
+from pathlib import Path
 from types import TracebackType
 from typing import Final, Self
 
@@ -13,6 +14,7 @@ from daemon import events
 from daemon.clock import Clock
 from daemon.config import Config, store_path
 from daemon.control.messages import OutcomeWord
+from daemon.hearing.events import Heard, NotHeard, StopWord
 from daemon.outcome import Following
 from daemon.parts import assemble_virtual
 from daemon.store import Store
@@ -36,6 +38,7 @@ class Here:
 
     def __init__(self, config: Config, emit: Callable[[events.Event], None]) -> None:
         self._watch: Callable[[events.Event], None] = emit
+        self._config = config
         self._store = Store.open(store_path(config))
         try:
             self._parts = assemble_virtual(config, self._store, self._emit)
@@ -45,18 +48,43 @@ class Here:
         self._following: Following | None = None
         self._run(lambda: self._parts.cycle.state.connected, CONNECT_S)
 
-    def say(self, text: str, speaker: str = "", *, at_s: float | None = None) -> OutcomeWord:
+    def say(self, text: str, speaker: str = "") -> OutcomeWord:
         """Take an utterance and let time pass until nothing is going on."""
-        at_s = Clock.wall_s() if at_s is None else at_s
-        return self.take(Utterance(text, speaker, at_s), "typed")
+        self._following = Following(text)
+        self._take(Utterance(text, speaker, Clock.wall_s()), "typed")
+        return self._finish()
 
-    def take(self, utterance: Utterance, source: str) -> OutcomeWord:
-        """The same for an utterance from elsewhere."""
-        self._following = Following(utterance.text)
-        understanding = self._parts.cycle.hear(utterance, source)
-        self._store.log(
-            utterance.at_s, utterance.text, utterance.speaker, source, understanding.kind
-        )
+    def hear(self, path: Path, speaker: str = "") -> OutcomeWord:
+        """Take what a sound file says, and let time pass until nothing is going on.
+
+        Raises:
+            RecordingError: the file cannot be heard.
+            EngineError: the recogniser cannot be used.
+        """
+        from daemon.virtual_ear import VirtualEar
+
+        cycle, link = self._parts.cycle, self._parts.link
+        self._following = Following()
+        with VirtualEar(self._config.hearing.engine) as ear:
+            recorded = ear.hear(path, cycle.vocabulary)
+        began_s = link.now_s
+        for known_s, event in recorded.events:
+            self._run(lambda: False, began_s + known_s - link.now_s)
+            match event:
+                case StopWord():
+                    cycle.stop("spotted")
+                case Heard(text=text, confidence=confidence):
+                    self._take(Utterance(text, speaker, Clock.wall_s(), confidence), "heard")
+                case NotHeard(text=text, reason=reason):
+                    cycle.unclear(text, reason)
+        return self._finish()
+
+    def _take(self, utterance: Utterance, source: str) -> None:
+        kind = self._parts.cycle.hear(utterance, source).kind
+        self._store.log(utterance.at_s, utterance.text, utterance.speaker, source, kind)
+
+    def _finish(self) -> OutcomeWord:
+        assert self._following is not None
         self._run(lambda: self._parts.cycle.idle, SETTLE_S)
         return self._following.outcome if self._parts.cycle.settled else "running"
 
@@ -67,10 +95,10 @@ class Here:
     def _run(self, until: Callable[[], bool], at_most_s: float) -> None:
         link, cycle = self._parts.link, self._parts.cycle
         end_s = link.now_s + at_most_s
-        while True:
+        while link.now_s < end_s:
             link.advance(STEP_S)
             cycle.step(link.now_s)
-            if until() or link.now_s >= end_s:
+            if until():
                 return
 
     def _emit(self, event: events.Event) -> None:

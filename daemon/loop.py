@@ -6,14 +6,15 @@ waits. The heartbeat leaves from here and nowhere else, so a hung daemon loses i
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
-from typing import TYPE_CHECKING, Final, Protocol
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Final
 
 from daemon import events
 from daemon.speaking.queue import SpeechQueue
 from daemon.speaking.voice import Voice
 from daemon.telling import from_record, from_reply, pose
-from daemon.understanding import Understanding, halts, is_stop, understand
+from daemon.understanding import SAY_AGAIN, UNCLEAR, Understanding, halts, is_stop, understand
+from daemon.wire import Wire
 from daemon.writer import Keeper, Kept, NotKept
 from firmware_proto.told import SessionState
 from grammars.errors import NotUnderstoodError
@@ -26,45 +27,11 @@ from kernel.memory.lesson import Lesson
 from kernel.memory.meaning import Command, Heard, Revision, Utterance
 
 if TYPE_CHECKING:
-    from firmware_proto.messages import Message
     from kernel.bodies.registry import Body
     from kernel.mind import Mind
 
-SAY_AGAIN: Final = "Please say that again."
 POSE_EVERY_S: Final = 0.1  # poses told while something moves; fine enough to draw a track
 SOURCES_KEPT: Final = 32  # utterances whose origin is remembered for the lessons they become
-
-
-class Wire(Protocol):
-    """What the cycle needs of a link, real or virtual."""
-
-    @property
-    def connected(self) -> bool:
-        """Up and armed."""
-
-    @property
-    def state(self) -> SessionState | None:
-        """Of the present attempt; None between attempts."""
-
-    @property
-    def detail(self) -> str:
-        """Its state in words."""
-
-    @property
-    def stop_epoch(self) -> int:
-        """Count of stops."""
-
-    def stop(self) -> int:
-        """STOP at once, past every queue; the new epoch."""
-
-    def received(self) -> list[Message]:
-        """Messages since the last call."""
-
-    def send(self, messages: Sequence[Message], epoch: int) -> None:
-        """Queue messages computed under that epoch; older ones are refused."""
-
-    def beat(self) -> None:
-        """Renew the lease when due."""
 
 
 class Cycle:
@@ -163,9 +130,10 @@ class Cycle:
             utterance, "not_understood", "", None, NotUnderstoodError(utterance.text)
         )
 
-    def unclear(self, text: str, reason: str, *, again: bool) -> None:
-        """Something was said that must not act. reason: for a person; again: ask to say it again."""
-        self._emit(events.NotUnderstood(t=self.now_s, text=text, reason=reason))
+    def unclear(self, text: str, reason: str) -> None:
+        """Something was said that must not act. reason: hearing's (daemon/hearing/events.py)."""
+        told, again = UNCLEAR.get(reason, (reason, False))
+        self._emit(events.NotUnderstood(t=self.now_s, text=text, reason=told))
         if again:
             self._emit(events.Question(t=self.now_s, text=SAY_AGAIN))
             self._speech.add(SAY_AGAIN)

@@ -7,7 +7,6 @@ from typing import Final
 from daemon import events
 from daemon.control.messages import OutcomeWord
 
-
 EXIT_STATUS: Final[dict[str, int]] = {"done": 0, "running": 0, "failed": 1, "not_understood": 3}
 
 
@@ -15,10 +14,10 @@ class Following:
     """Watches the events after an utterance.
 
     Args:
-        text: the utterance, as it was given to the cycle.
+        text: the utterance, as it was given to the cycle; None: whatever is heard.
     """
 
-    def __init__(self, text: str) -> None:
+    def __init__(self, text: str | None = None) -> None:
         self._text = text
         self._outcome: OutcomeWord = "done"
 
@@ -30,12 +29,12 @@ class Following:
     def see(self, event: events.Event) -> None:
         """Take one event into account."""
         match event:
-            case events.NotUnderstood(text=text) if text == self._text:
+            case events.NotUnderstood(text=text) if self._text in (None, text):
                 self._outcome = "not_understood"
             case events.Replied(ok=False) | events.Prohibited():
                 self._fail()
-            case events.Ended(utterance=utterance, verdict=verdict) if utterance == self._text:
-                if verdict != "succeeded":
+            case events.Ended(utterance=utterance, verdict=verdict) if verdict != "succeeded":
+                if self._text in (None, utterance):
                     self._fail()
             case events.Error(part="mind" | "store" | "understanding"):
                 self._fail()

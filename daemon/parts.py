@@ -12,11 +12,12 @@ from daemon.config import Config, ConfigError, MindPart
 from daemon.link import Link, open_link
 from daemon.link.port import AddressError
 from daemon.link.virtual import VirtualLink
-from daemon.loop import Cycle, Wire
+from daemon.loop import Cycle
 from daemon.speaking.choice import NoVoiceError, choose
 from daemon.speaking.silent import SilentVoice
 from daemon.speaking.voice import Voice
 from daemon.store import Loaded, Store
+from daemon.wire import Wire
 from daemon.writer import AtOnce, Keeper
 from grammars.knowledge import born
 from kernel.action.call import GROUNDINGS

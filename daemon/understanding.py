@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import threading
 from dataclasses import dataclass
 from typing import Final
 
@@ -26,6 +27,22 @@ def is_stop(text: str) -> bool:
     return bool(rest) and all(word in STOP_WORDS for word in rest)
 
 
+SAY_AGAIN: Final = "Please say that again."
+UNCLEAR: Final = {  # hearing's reason: what is shown, and whether the robot asks again
+    "noise": ("I heard no words.", False),
+    "unfinished": ("That broke off.", True),
+    "outside": ("I did not understand.", False),
+    "unsure": ("I am not sure that I heard that right.", True),
+    "too_long": ("That was too long for me.", True),
+    "fragment": ("That goes on from a lesson I have taken already.", False),
+    "lost": ("My ears failed for a moment.", True),
+}
+
+_one_at_a_time = (
+    threading.Lock()
+)  # the compiled grammar keeps its place in the sentence while it parses
+
+
 @dataclass(frozen=True, slots=True)
 class Understanding:
     """What parsing made of an utterance: either heard, or the error that says what was understood."""
@@ -38,9 +55,10 @@ class Understanding:
 
 
 def understand(utterance: Utterance, vocabulary: Vocabulary) -> Understanding:
-    """Parse it. Hearing has chosen among its alternatives before. Pure, so it may run in another thread."""
+    """Parse it. Hearing has chosen among its alternatives before. May run in any thread."""
     try:
-        parsed = parse(utterance.text, vocabulary)
+        with _one_at_a_time:
+            parsed = parse(utterance.text, vocabulary)
     except NotUnderstoodError as error:
         return Understanding(utterance, "not_understood", "", None, error)
     readback = render(parsed.meaning, "teacher")
