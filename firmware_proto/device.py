@@ -54,10 +54,8 @@ class Device:
         self._lease_until_s: float | None = None
         self._estopped = False
         self._drive: wire.Drive | None = None
-        self._drive_seq = 0
-        self._drive_until_s = 0.0
-        self._lift = Slew(0.0, 0.0)
-        self._grip = Slew(1000.0, 1000.0)
+        self._drive_seq, self._drive_until_s = 0, 0.0
+        self._lift, self._grip = Slew(0.0, 0.0), Slew(1000.0, 1000.0)
         self._config = wire.Config(TELEM_MS, wire.LEASE_MS, 0, 0, 0)
         self._telem_due_s = 0.0
         self._adc = (0, 0, 0)
@@ -116,8 +114,7 @@ class Device:
 
     def transmit(self) -> bytes:
         """Bytes for the host since the last call."""
-        data = bytes(self._out)
-        self._out.clear()
+        data, self._out = bytes(self._out), bytearray()
         return data
 
     def _handle(self, frame: Frame) -> None:
@@ -153,8 +150,7 @@ class Device:
         ):  # else a repeat, possibly a late one: answer, and disturb nothing
             self._opened_by = opened_by
             self._session, self._last_seq = frame.session, frame.seq
-            self._answer = None
-            self._lease_until_s = None
+            self._answer = self._lease_until_s = None
             self._halt()
             self._telem_due_s = self._now_s
         self._send(

@@ -90,11 +90,8 @@ class Session:
         self._queue: deque[tuple[Message, float]] = deque()
         self._flight: _Flight | None = None
         self._stopping: _Flight | None = None
-        self._opened_s = self._polled_s = now_s
-        self._beat_due_s = now_s
-        self._beat_sent_s = now_s
+        self._opened_s = self._polled_s = self._beat_due_s = self._beat_sent_s = now_s
         self._waiting_since_s: float | None = None
-        self._hello_frame = encode_message(Hello(PROTOCOL_VERSION), number, self._seq)
         self._hello_due_s = now_s
 
     @property
@@ -134,11 +131,10 @@ class Session:
         """STOP (ESTOP with latch) past every queue; what was on its way is dropped. The new epoch."""
         self._stop_epoch += 1
         self._drop()
-        seq = self._next_seq()
-        data = encode_message(Estop() if latch else Stop(), self._number, seq)
-        self._stopping = _Flight(Estop() if latch else Stop(), data, seq, now_s, now_s)
-        self._out.clear()
-        self._out += b"\0" + data  # the zero ends whatever frame was cut off
+        seq, message = self._next_seq(), Estop() if latch else Stop()
+        data = encode_message(message, self._number, seq)
+        self._stopping = _Flight(message, data, seq, now_s, now_s)
+        self._out[:] = b"\0" + data  # the zero ends whatever frame was cut off
         return self._stop_epoch
 
     def beat(self, now_s: float) -> None:
@@ -150,9 +146,8 @@ class Session:
         self._beat_sent_s = now_s
         if self._waiting_since_s is None:
             self._waiting_since_s = now_s
-        self._out += encode_message(
-            Heartbeat(int(now_s * 1000) & 0xFFFFFFFF), self._number, self._seq
-        )
+        beat = Heartbeat(int(now_s * 1000) & 0xFFFFFFFF)
+        self._out += encode_message(beat, self._number, self._seq)
 
     def receive(self, data: bytes, now_s: float) -> list[Message]:
         """Take bytes from the far end; telemetry, events and settled commands come back, in order."""
@@ -173,8 +168,7 @@ class Session:
         self._repeat_stop(now_s)
         if self.ready:
             self._resend(now_s)
-        data = bytes(self._out)
-        self._out.clear()
+        data, self._out = bytes(self._out), bytearray()
         return data
 
     def _handle(self, frame: Frame, now_s: float) -> None:
@@ -241,7 +235,7 @@ class Session:
             self._end(SessionState.LOST)
         elif now_s >= self._hello_due_s:
             self._hello_due_s = now_s + HELLO_AGAIN_S
-            self._out += self._hello_frame
+            self._out += encode_message(Hello(PROTOCOL_VERSION), self._number, self._seq)
 
     def _watch(self, now_s: float) -> None:
         """Liveness is a missing PONG; what the operating system believes of the line is not asked."""
