@@ -137,12 +137,16 @@ def state_dir(config: Config, environ: Mapping[str, str] = os.environ) -> Path:
 def runtime_dir(config: Config, environ: Mapping[str, str] = os.environ) -> Path:
     """Where the control socket is: SAYSO_RUNTIME_DIR, the file's, systemd's, the user's.
 
-    Where only the state directory is set, the socket lives in it: two daemons with two stores do not meet.
+    Where only the state directory is set, or the user has no runtime directory, the socket lives beside the lessons:
+    two daemons with two stores do not meet.
     """
     given = environ.get("SAYSO_RUNTIME_DIR") or config.paths.runtime
     given = given or environ.get("RUNTIME_DIRECTORY", "").partition(":")[0]
-    given = given or environ.get("SAYSO_STATE_DIR") or config.paths.state
-    return Path(given).expanduser() if given else platformdirs.user_runtime_path("sayso")
+    if given:
+        return Path(given).expanduser()
+    users_own = environ.get("XDG_RUNTIME_DIR", "")
+    apart = environ.get("SAYSO_STATE_DIR") or config.paths.state or not users_own
+    return state_dir(config, environ) if apart else Path(users_own) / "sayso"
 
 
 def store_path(config: Config) -> Path:

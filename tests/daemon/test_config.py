@@ -103,6 +103,9 @@ def test_the_command_line_goes_before_the_file() -> None:
         ({"SAYSO_STATE_DIR": "/s"}, "/s", "/s"),
         ({"STATE_DIRECTORY": "/lib/s", "RUNTIME_DIRECTORY": "/run/s:/x"}, "/lib/s", "/run/s"),
         ({"SAYSO_STATE_DIR": "/s", "STATE_DIRECTORY": "/var/lib/sayso"}, "/s", "/s"),
+        ({"SAYSO_STATE_DIR": "/s", "XDG_RUNTIME_DIR": "/run/user/7"}, "/s", "/s"),
+        ({"STATE_DIRECTORY": "/s", "XDG_RUNTIME_DIR": "/run/user/7"}, "/s", "/run/user/7/sayso"),
+        ({"STATE_DIRECTORY": "/s"}, "/s", "/s"),
     ],
 )
 def test_directories_can_be_set_so_that_daemons_do_not_meet(
