@@ -250,8 +250,8 @@ class Build:
 
     def predicate(self, name: str, pred: AList, negated: bool) -> str:
         """Say something of a thing; the node of the predicate."""
-        if (qual := pred.find("qual")) is not None:
-            return self.quality(name, qual, negated)
+        if pred.has("qual"):
+            return [self.quality(name, part, negated) for part in pred.all("qual")][0]
         if (kindof := pred.find("kindof")) is not None:
             return self._kind_of(name, kindof, negated)
         if (loc := pred.find("loc")) is not None:
@@ -371,9 +371,9 @@ class Build:
             raise NoMeaningError(str(where))
         return self.add("loc", loc=self.thing(np))
 
-    def deed(self, action: AList) -> str:
-        """Node of an action drawn as a pattern on the present board."""
-        return self.action(action)
+    def act_or_any(self, action: AList | None) -> str:
+        """Node of an action; of any act at all where none is named."""
+        return self.add("act") if action is None else self.action(action)
 
     # ---- chains ----
 

@@ -35,6 +35,9 @@ def clause(build: Build, part: AList, subject: str = "") -> str:
     negated = part.has("neg") or part.has("not_has")
     if (exists := part.find("exists")) is not None:
         return _exists(build, exists)
+    if (ordered := part.find("ordered")) is not None:
+        act = build.act_or_any(ordered.find("action"))
+        return told(build, ordered.first("np"), act)
     objects = part.all("np", "base_np")
     if subject:
         agent = subject
@@ -47,10 +50,17 @@ def clause(build: Build, part: AList, subject: str = "") -> str:
         return build.predicate(agent, pred, negated)
     if (qual := part.find("qual")) is not None:
         return build.quality(agent, qual, negated)
+    if part.has("quote"):
+        txt = build.add("txt", literal=part.slot("quote"))
+        return build.add("act", "say", agt=agent, obj=txt)
     if part.has("habit") or part.has("habit_s"):
         return _doing(build, part.first("habit", "habit_s"), agent, objects, negated)
     if part.has("does") or part.has("going"):
         return _doing(build, part, agent, objects, negated)
+    if (counted := part.find("counted")) is not None:
+        many = build.thing(AList("np", counted.parts[1:]))
+        build.add("cnt", literal=counted.slot("num"), cnt=many)
+        return build.add("act", "have", agt=agent, obj=many, negated=negated)
     if objects:
         owned = build.thing(objects[0])
         return build.add("act", "have", agt=agent, obj=owned, negated=negated or build.negative)
@@ -105,3 +115,9 @@ def exception(build: Build, alist: AList) -> tuple[Graphlet, ...]:
 def enablement(build: Build, alist: AList) -> tuple[Graphlet, ...]:
     """What stands after "if" or "while" where an action is the trigger."""
     return tuple(condition(build, conds) for conds in alist.all("conds"))
+
+
+def told(build: Build, speaker: AList, act: str) -> str:
+    """Somebody tells the robot to do the act."""
+    teller = build.thing(speaker, person=True)
+    return build.add("act", "tell", agt=teller, dest=build.oneself("you"), cmd=act)

@@ -32,6 +32,7 @@ from kernel.memory.meaning import Meaning
 
 MOST_WORDS: Final = 60
 MOST_READINGS: Final = 6
+MOST_REPAIRED: Final = 2  # typos in one sentence
 # Words around a set phrase that are no part of it.
 ADDRESS: Final = frozenset(
     "hey okay robot now please well so alright listen kindly for me then thanks".split()
@@ -43,7 +44,7 @@ BUILDERS: Final = frozenset(
 # What it costs to take a word as something else than it is known to be, and other things better avoided.
 TERMINAL_COST: Final[dict[str, int]] = {"ANYWORD": 2, "OPENWORD": 1, "STRANGE": 3, "UNK": 10}
 CATEGORIES: Final = (
-    "VERB VERBS VERBING VERBED GIVE STATE STATES NOUN NOUNS ADJ ADJER ADJEST ADV DEG DIR PROPER NUM UNIT PREP ORD"
+    "VERB VERBS VERBING VERBED GIVE MOTION STATE STATES NOUN NOUNS ADJ ADJER ADJEST ADV DEG DIR PROPER NUM UNIT PREP ORD"
     " QUOTED ANYWORD NEWING OPENWORD STRANGE UNK _COMMA"
 ).split()
 
@@ -307,11 +308,13 @@ def parse(text: str, vocabulary: Vocabulary = BORN, expecting: object = None) ->
     for variant in _variants(found, vocabulary):
         if (parsed := reader.read(variant)) is not None:
             return parsed
-    for variant, repaired in reader.corrected(found):
-        if (parsed := reader.read(variant, repaired=repaired)) is not None:
-            return parsed
-    if any(reader.strange(piece) for piece in found):
-        if (parsed := reader.read(found, guessing=True)) is not None:
+    strange = [at for at, piece in enumerate(found) if reader.strange(piece)]
+    # Where reading broke off before the first strange word, another word in its place cannot help.
+    if 0 < len(strange) <= MOST_REPAIRED and strange[0] <= reader.reached:
+        for variant, repaired in reader.corrected(found, strange):
+            if (parsed := reader.read(variant, repaired=repaired)) is not None:
+                return parsed
+        if len(strange) == 1 and (parsed := reader.read(found, guessing=True)) is not None:
             return parsed
     raise NotUnderstoodError(
         text,
@@ -464,12 +467,9 @@ class _Reader:
         )
 
     def corrected(
-        self, found: list[Piece]
+        self, found: list[Piece], places: Sequence[int]
     ) -> Iterator[tuple[list[Piece], tuple[tuple[str, str], ...]]]:
         """The sentence with its strange words replaced by near ones."""
-        places = [at for at, piece in enumerate(found) if self.strange(piece)]
-        if not places or len(places) > 2:
-            return
         words = sorted({*self.vocabulary.everything, *self.grammar.literal})
         choices: list[list[Piece]] = [found]
         for at in places:

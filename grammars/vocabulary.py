@@ -104,6 +104,7 @@ def _born() -> Lexicon:
         ("PROPER", "names"),
         ("ORD", "ordinals"),
         ("GIVE", "givers"),
+        ("MOTION", "motions"),
     ):
         for word, lemma in _entries(name):
             _add(lexicon, word, category, lemma)

@@ -31,6 +31,12 @@ def fact(alist: AList) -> Fact:
     named = alist.find("named")
     if named is not None:
         return _named(build, named)
+    if (taught := alist.find("taught_it")) is not None:
+        with build.drawing(pattern=True):
+            act = build.action(taught.first("action"))
+            teller = build.thing(taught.first("np"), person=True)
+            main = build.add("act", "teach", agt=teller, dest=build.oneself("you"), cmd=act)
+            return Fact(build.graphlet(main))
     said = alist.first("clause")
     _check_subject(said)
     with build.drawing(pattern=False):

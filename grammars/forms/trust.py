@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from grammars.alist import AList
 from grammars.build import Build
+from grammars.clauses import told
 from grammars.registry import sentence_form
 from kernel.action.chain import Chain, Directive, Play
 from kernel.memory.lesson import Operator
@@ -24,32 +25,20 @@ EXAMPLES = (
 
 @sentence_form("trust", "permission", EXAMPLES)
 def trust(alist: AList) -> Teach:
-    """An operator on ANTE whose trigger is an act somebody told the robot to do."""
+    """An operator on ANTE whose trigger is an act somebody told the robot to do; with "only", the telling is the
+    exception instead."""
     build = Build()
     order = alist.find("ordered", "ordering") or alist
     speaker = order.find("np") or alist.first("np")
-    only = alist.has("only")
     with build.drawing(pattern=True):
-        act = _act(build, alist.find("action") or order.find("action"))
-        trigger = list(build.board)
-        teller = build.thing(speaker, person=True)
-        told = build.add("act", "tell", agt=teller, dest=build.oneself("you"), cmd=act)
-        telling = list(build.board)
+        act = build.act_or_any(alist.find("action") or order.find("action"))
+        done = build.graphlet(act)
+    with build.drawing(pattern=True):
+        telling = build.graphlet(told(build, speaker, act))
     instead = alist.find("chain")
     plays = () if instead is None else build.chain(instead).plays
     chain = Chain((*plays, Play((Directive("PUNT"),))))
-    if only:
-        rest = [name for name in telling if name not in trigger]
-        operator = Operator(
-            Directive("ANTE", build.sketch.graphlet(act, *trigger)),
-            chain,
-            unless=(build.sketch.graphlet(told, *rest),),
-        )
-    else:
-        operator = Operator(Directive("ANTE", build.sketch.graphlet(act, *telling)), chain)
-    return Teach("permission", operator)
-
-
-def _act(build: Build, action: AList | None) -> str:
-    """The act that is ordered; any act at all where none is named."""
-    return build.add("act") if action is None else build.action(action)
+    if alist.has("only"):
+        return Teach("permission", Operator(Directive("ANTE", done), chain, unless=(telling,)))
+    both = build.sketch.graphlet(act, *(term.name for term in (*done, *telling)))
+    return Teach("permission", Operator(Directive("ANTE", both), chain))
