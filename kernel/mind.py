@@ -81,7 +81,8 @@ class Mind:
             commons.kept(key, ident)
         for key, why in inputs.persist_failed:
             commons.not_kept(key, why)
-        if inputs.stop_epoch > self.epoch:
+        stopping = inputs.stop_epoch > self.epoch
+        if stopping:
             self._halt(inputs.stop_epoch)
         self._sense(inputs)
         for heard in inputs.heard:
@@ -90,7 +91,7 @@ class Mind:
         winners = self._arbitrate(now_s)
         self._fade(now_s)
         outputs = Outputs(
-            bids=winners,
+            bids=() if stopping else winners,
             speech=tuple(commons.speech),
             replies=tuple(commons.replies),
             persist=tuple(commons.persist),

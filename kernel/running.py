@@ -14,7 +14,7 @@ from kernel.memory.recall import may_assume, missing, referents
 from kernel.memory.reply import Reason
 from kernel.net.graphlet import Graphlet
 from kernel.net.match import Binding
-from kernel.net.node import Node
+from kernel.net.node import MODIFIER_ROLES, Node
 from kernel.stepping import RunningStep
 
 
@@ -110,7 +110,9 @@ class Frame:
             return Verdict.FAILED
         verdict = yield from code(RunningStep(self, directive))
         if verdict is Verdict.PUNTED and directive.tag != "PUNT":
-            return Verdict.FAILED  # what was punted is the chain below; this one may try another way
+            return (
+                Verdict.FAILED
+            )  # what was punted is the chain below; this one may try another way
         return verdict
 
     def options(self, find: Directive, later: Sequence[Directive]) -> Iterator[Binding]:
@@ -123,10 +125,17 @@ class Frame:
         found = False
         for binding in referents(graphlet, memory, self.binding, self.commons.settings.threshold):
             found = True
-            memory.net.touch(binding[graphlet.main])
+            self.mention(binding[graphlet.main])
             yield binding
         if not found and may_assume(graphlet, later):
             yield self.instantiate(graphlet)
+
+    def mention(self, node: Node) -> None:
+        """The node is in mind for as long as this focus, with what describes it."""
+        self.commons.memory.net.touch(node)
+        described = [other for role, other in node.into if role in MODIFIER_ROLES]
+        self.focus.nodes |= dict.fromkeys((node, *described))
+        self.commons.memory.changed()
 
     def instantiate(self, graphlet: Graphlet) -> Binding:
         """Nodes for the graphlet, made on behalf of the focus."""

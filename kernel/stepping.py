@@ -14,7 +14,7 @@ from kernel.memory.attention import Failure
 from kernel.memory.choice import choice_weights, in_turn
 from kernel.memory.lesson import Lesson, Operator
 from kernel.memory.meaning import Question
-from kernel.memory.recall import answer, is_so, known
+from kernel.memory.recall import answer, is_so, known, named
 from kernel.memory.reply import Reason
 from kernel.net.graphlet import Graphlet
 from kernel.net.match import Binding, holds, matches
@@ -270,6 +270,8 @@ class RunningStep:
         """Reply to the focus's question."""
         meaning = self.focus.heard.meaning if self.focus.heard else None
         if isinstance(meaning, Question):
+            for node in named(meaning.about, self.commons.memory):
+                self.frame.mention(node)
             self.commons.memory.refresh()
             self.commons.replies.append(answer(meaning, self.commons.memory))
 

@@ -82,6 +82,12 @@ def missing(find: Directive) -> str:
     return " ".join(names or kinds) or (main.ref if main else "") or "it"
 
 
+def named(graphlet: Graphlet, memory: WorkingMemory) -> list[Node]:
+    """Known things that carry a name used in the graphlet."""
+    words = [word for term in graphlet.terms if term.kind in THINGS for word in sorted(term.lex)]
+    return [n for word in words for n in memory.net.with_word(word) if n.kind in THINGS]
+
+
 def is_so(binding: Binding) -> bool:
     """Whether the match rests on what is so, and not on what somebody has merely said."""
     return all(node.kind != "said" for node in binding.values())
@@ -97,14 +103,14 @@ def answer(question: Question, memory: WorkingMemory) -> Answer:
         )
     if question.ask == "yesno":
         for pattern, positive in ((about, True), (about.denied(), False)):
-            for binding in filter(is_so, matches(pattern, memory.net, memory.depth)):
+            for binding in filter(is_so, matches(pattern, memory.net, REMEMBERED)):
                 memory.mention(binding[about.main])
                 return Answer(
                     question, "yes" if positive else "no", (describe(binding[about.main]),)
                 )
         return Answer(question, "unknown")
     found = []
-    for binding in filter(is_so, matches(about, memory.net, memory.depth)):
+    for binding in filter(is_so, matches(about, memory.net, REMEMBERED)):
         wanted = binding.get(question.wanted or about.main)
         if wanted is not None and wanted not in found:
             found.append(wanted)

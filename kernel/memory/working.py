@@ -159,8 +159,9 @@ class WorkingMemory:
             self.told[carrying[0]] = tuple(dict.fromkeys((*self.told[carrying[0]], node)))
 
     def forget(self, nodes: Iterable[Node]) -> None:
-        """Drop nodes of a focus that has faded, but for what was told or sensed, and what that is about."""
-        kept = self._kept()
+        """Drop nodes of a focus that has faded, but for what was told or sensed, what that is about, and what other
+        foci mention."""
+        kept = self._kept() | set(self._roots())
         for node in nodes:
             is_person = node is self.me or node.kind == "user"
             if not (is_person or node in kept or any(other in kept for _, other in node.into)):

@@ -53,6 +53,17 @@ def test_what_is_asked_for_is_described(robot: Any) -> None:
     )
 
 
+def test_what_was_told_long_ago_is_remembered_and_concluded_from(robot: Any) -> None:
+    robot.teach(
+        "if: ako-1 -lex- giant; -ako-> obj-2; then: hq-3 -lex- tall; -hq-> obj-2; belief: 1.0"
+    )
+    robot.tell("ako-1 -lex- giant; -ako-> obj-2", "obj-2 -lex- mary")
+    robot.pass_time(60)
+    assert ask(robot, Question("who", graphlet("ako-1 -lex- giant\n-ako-> obj-2"), "obj-2")).found
+    robot.pass_time(60)
+    assert ask(robot, Question("yesno", graphlet(TALL.format("")))).verdict == "yes"
+
+
 def test_who_am_i(robot: Any) -> None:
     who = Question("who", graphlet("obj-1 -lex- me"), "obj-1", topic="identity")
     assert ask(robot, who).verdict == "unknown"
