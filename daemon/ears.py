@@ -47,6 +47,8 @@ class Ears:
         async with self._one_at_a_time:
             began_s = asyncio.get_running_loop().time()
             recorded = await asyncio.to_thread(self._transcribe, path)
+            if not recorded.said:
+                self._cycle.unclear("", "noise")
             for known_s, event in recorded.events:
                 late_s = asyncio.get_running_loop().time() - began_s - known_s
                 await asyncio.sleep(max(0.0, -late_s))

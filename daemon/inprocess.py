@@ -68,6 +68,8 @@ class Here:
         with VirtualEar(self._config.hearing.engine) as ear:
             recorded = ear.hear(path, cycle.vocabulary)
         began_s = link.now_s
+        if not recorded.said:
+            cycle.unclear("", "noise")
         for known_s, event in recorded.events:
             self._run(lambda: False, began_s + known_s - link.now_s)
             match event:

@@ -29,6 +29,11 @@ class Recorded:
     events: tuple[tuple[float, HearingEvent], ...]
     length_s: float
 
+    @property
+    def said(self) -> bool:
+        """There was an utterance in it, of whatever kind."""
+        return any(isinstance(event, Heard | NotHeard) for _, event in self.events)
+
 
 class VirtualEar:
     """One recogniser for all recordings of a rehearsal; its process starts with the first.
