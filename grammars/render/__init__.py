@@ -4,7 +4,22 @@
 equal net. "robot" speaks for itself, you and I exchanged, and is not parsed.
 """
 
-from grammars.render.english import act_in_words, gist, render, thing_in_words
+from grammars.render.english import (
+    act_in_words,
+    claim_in_words,
+    definite,
+    gist,
+    render,
+    thing_in_words,
+)
 from grammars.render.telling import Voice
 
-__all__ = ["Voice", "act_in_words", "gist", "render", "thing_in_words"]
+__all__ = [
+    "Voice",
+    "act_in_words",
+    "claim_in_words",
+    "definite",
+    "gist",
+    "render",
+    "thing_in_words",
+]

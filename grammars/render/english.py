@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import Final
 
 from grammars.render import lessons, talk
 from grammars.render.deeds import VerbForm, deed
 from grammars.render.procedures import procedure
-from grammars.render.questions import question
+from grammars.render.questions import claim, question
 from grammars.render.telling import Telling, Voice
 from grammars.render.things import thing
 from kernel.memory.lesson import Content, Operator, Rule
@@ -23,7 +24,7 @@ from kernel.memory.meaning import (
     Social,
     Teach,
 )
-from kernel.net.graphlet import Graphlet
+from kernel.net.graphlet import Graphlet, Term
 
 GIST_WORDS: Final = 6
 
@@ -59,16 +60,32 @@ def gist(content: Content | Fact) -> str:
     shortened = [render(content, "robot")]
     if isinstance(content, Operator):
         main = content.trigger.graphlet
-        act = act_in_words(main) if main and content.trigger.tag != "NOTE" else ""
+        told = main and content.trigger.tag != "NOTE"
+        act = deed(Telling((main,), (), "robot"), main.main) if main and told else ""
         shortened = [*lessons.shortened(content, act), *shortened, "I will remember that"]
+    elif isinstance(content, Rule):
+        shortened = [*filter(None, [lessons.generic(content)]), *shortened]
     return next((s for s in shortened if len(s.split()) <= GIST_WORDS), "I will remember that")
 
 
 def act_in_words(act: Graphlet, about: tuple[Graphlet, ...] = (), form: VerbForm = "base") -> str:
-    """An action as a verb phrase in the robot's voice: "grab Mary"."""
-    return deed(Telling((act, *about), (), "robot"), act.main, form)
+    """An action that was really to be done, in the robot's voice: "grab the red block"."""
+    return deed(Telling(tuple(map(definite, (act, *about))), (), "robot"), act.main, form)
 
 
 def thing_in_words(name: str, described: tuple[Graphlet, ...]) -> str:
     """A thing as a noun phrase in the robot's voice: "the red block"."""
     return thing(Telling(described, (), "robot"), name)
+
+
+def claim_in_words(said: Graphlet) -> str:
+    """Only what the main node says, of things that are known: "the block is red"."""
+    return str(claim(Telling((definite(said),), (), "robot"), said))
+
+
+def definite(described: Graphlet) -> Graphlet:
+    """The same, the things it describes spoken of as known: "the block"."""
+    kinds = {other for term in described for role, other in term.links if role == "ako"}
+    whole = [*described, *map(Term, kinds - described.names)]
+    terms = (replace(t, ref=t.ref or "the") if t.name in kinds else t for t in whole)
+    return Graphlet(tuple(terms), described.main)

@@ -6,6 +6,7 @@ from typing import Final
 
 from grammars.build import particles
 from grammars.hedges import BELIEF, PREFERENCE
+from grammars.morphology import plural
 from grammars.render.clauses import conditions
 from grammars.render.deeds import deed
 from grammars.render.procedures import procedure, without
@@ -56,22 +57,39 @@ def operator(content: Operator, voice: Voice) -> str:
 
 
 def shortened(content: Operator, act: str) -> list[str]:
-    """What an operator is about in fewer words, longest first."""
-    verb = act.partition(" ")[0]
+    """What an operator is about in fewer words, the better ones first; act: the trigger's action in words."""
+    verb, more = act.partition(" ")[0], " " in act
     match content.trigger.tag:
         case "DO":
-            return [f"I know how to {act}", f"I know how to {verb}"]
+            return [f"I know how to {act}", f"I know how to {'do that' if more else verb}"]
         case "ANTE" if content.prohibits:
-            described = (content.trigger.graphlet,) if content.trigger.graphlet else ()
-            telling = Telling(described, content.unless, "robot")
-            if (cause := _teller(content)) is not None:
+            cause = _teller(content)
+            if cause is not None and content.trigger.graphlet:
+                telling = Telling((content.trigger.graphlet,), (), "robot")
                 return [f"I will not always obey {thing(telling, linked(cause, 'agt'))}"]
             return [f"I will not {act}", f"I will not always {verb}"]
         case "ALLOW":
             return [f"I may {act}", f"sometimes I may {verb}"]
         case "NOTE":
-            return ["I will watch for that"]
+            return _steps(content, "then")
+        case "ANTE":
+            return _steps(content, "first")
+        case "POST":
+            return _steps(content, "afterwards")
     return []
+
+
+def _steps(content: Operator, when: str) -> list[str]:
+    """ "I will drive backward then"; words to be said are not said here, they would be taken for the deed."""
+    graphlets = [d.graphlet for d in content.chain.directives() if d.graphlet]
+    steps = [g for g in graphlets if g.main.startswith("act")]
+    trigger = content.trigger.graphlet
+    telling = Telling((*((trigger,) if trigger else ()), *graphlets), (), "robot")
+    if len(steps) != 1:
+        return [f"I will do all that {when}"]
+    quoting = any(term.literal is not None and not term.links for term in steps[0])
+    done = "say that" if quoting else deed(telling, steps[0].main)
+    return [f"I will {done} {when}", f"I will {done.partition(' ')[0]} {when}"]
 
 
 def rule(content: Rule, voice: Voice) -> str:
@@ -83,6 +101,26 @@ def rule(content: Rule, voice: Voice) -> str:
     said = f"if {conditions(telling, condition)}, "
     said += conditions(telling, conclusion, hedge(content.belief))
     return said + "".join(f" unless {conditions(telling, g)}" for g in content.unless)
+
+
+def generic(content: Rule) -> str:
+    """A rule from one kind to a kind or quality in few words, "girls are usually female"; "" for others."""
+    left, right = content.condition.terms, content.conclusion.terms
+    if content.unless or len(left) != 1 or len(right) != 1:
+        return ""
+    of, said = left[0], right[0]
+    roles = {role for role, _ in said.links}
+    if (
+        not linked(of, "ako")
+        or of.negated
+        or not roles <= {"ako", "hq"}
+        or of.links[0][1] != said.links[0][1]
+    ):
+        return ""
+    adverb = hedge(content.belief)
+    denied = "not" if said.negated else ""
+    what = plural(word(said)) if "ako" in roles else word(said)
+    return " ".join(filter(None, (plural(word(of)), "are", denied, adverb, what)))
 
 
 def is_alias(content: Rule) -> bool:

@@ -12,7 +12,7 @@ from kernel.net.graphlet import Term
 Case = Literal["subject", "object", "possessive"]
 
 _CASES: Final[tuple[Case, ...]] = ("subject", "object", "possessive")
-_PRONOUNS: Final = {
+PRONOUNS: Final = {
     "you": ("you", "you", "your"),
     "me": ("I", "me", "my"),
     "it": ("it", "it", "its"),
@@ -47,8 +47,8 @@ def thing(telling: Telling, name: str, case: Case = "object") -> str:
         kinds = [word(t) for t in telling.about(name, "ako") if not t.negated]
         phrase = _first(telling, term)
         telling.mention(name, "" if term.lex else next(iter(kinds), ""))
-    if phrase in _PRONOUNS:
-        return _PRONOUNS[phrase][_CASES.index(case)]
+    if phrase in PRONOUNS:
+        return PRONOUNS[phrase][_CASES.index(case)]
     return possessive(phrase) if case == "possessive" else phrase
 
 
@@ -56,7 +56,7 @@ def pronoun(telling: Telling, person: str, case: Case) -> str:
     """You and me in the voice's own view."""
     if telling.voice == "robot":
         person = {"you": "me", "me": "you"}[person]
-    return _PRONOUNS[person][_CASES.index(case)]
+    return PRONOUNS[person][_CASES.index(case)]
 
 
 def possessive(phrase: str) -> str:
@@ -157,7 +157,7 @@ def _first(telling: Telling, term: Term) -> str:
     name, ref = term.name, term.ref
     if term.lex:
         return proper(word(term))
-    if ref in _PRONOUNS and not described(telling, name):
+    if ref in PRONOUNS and not described(telling, name):
         return ref
     owners = [linked(own, "of") for own in telling.take(name, "own")]
     whose = thing(telling, owners[0], "possessive") if owners else ""

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import importlib
 import pkgutil
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import cache
 from typing import Any, TypeVar
@@ -71,3 +71,8 @@ def aloud(text: str) -> str:
 def both(text: str) -> Said:
     """The same sentence shown and spoken."""
     return Said(sentence(text), aloud(text))
+
+
+def listed(parts: Sequence[str]) -> str:
+    """ "A, B and C"."""
+    return " and ".join(filter(None, (", ".join(parts[:-1]), *parts[-1:])))

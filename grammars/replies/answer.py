@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-
-from grammars.render import act_in_words, render, thing_in_words
+from grammars.render import act_in_words, claim_in_words, definite, thing_in_words
+from grammars.render.clauses import clause
 from grammars.render.questions import claim, indirect
 from grammars.render.telling import SAYING, Telling, is_predicate
 from grammars.render.things import proper
-from grammars.replies import Said, both, renders
-from kernel.memory.meaning import Fact, Question
+from grammars.replies import Said, both, listed, renders
+from kernel.memory.meaning import Question
 from kernel.memory.reply import Answer
 from kernel.net.graphlet import Graphlet, Term
 
@@ -44,19 +43,36 @@ def _claimed(asked: Question, holds: bool) -> str:
 
 
 def _unknown(asked: Question) -> str:
-    if asked.topic == "identity":
-        return "I don't know who you are"
-    if asked.topic == "taught":
-        return f"nobody taught me to {act_in_words(asked.about)}"
-    if asked.topic == "know_how":
-        return f"I don't know how to {act_in_words(asked.about)}"
-    if asked.topic == "know_about":
-        return f"I know nothing about {thing_in_words(asked.about.main, (asked.about,))}"
-    if asked.topic in ("doing", "did", "learned"):
-        return {"doing": "I am doing nothing", "did": "I did nothing"}.get(
-            asked.topic, "nobody taught me anything"
-        )
-    return "I don't know why" if asked.ask == "why" else f"I don't know {indirect(asked, 'robot')}"
+    """Not knowing, with what is not known."""
+    match asked.topic, asked.ask:
+        case "identity", _:
+            return "I don't know who you are"
+        case "doing", _:
+            return "I am doing nothing"
+        case "did", "what":
+            return "I did nothing"
+        case "learned", _:
+            return "nobody taught me anything"
+        case "taught", _ if _is_act(asked.about):
+            return f"nobody taught me to {act_in_words(asked.about)}"
+        case "taught", _:
+            return f"nobody told me that {claim_in_words(asked.about)}"
+        case "know_how", _:
+            return f"I don't know how to {act_in_words(asked.about)}"
+        case "know_about", _:
+            return f"I know nothing about {thing_in_words(asked.about.main, (asked.about,))}"
+        case _, "why":
+            return "I don't know why"
+        case "did", ask:
+            head = {"yesno": "whether", "howmany": "how many times"}.get(ask, ask)
+            return f"I don't know {head} I {act_in_words(asked.about, (), 'past')}"
+        case (("happens" | "abilities" | "allowed"), _):
+            return "I don't know"
+    return f"I don't know {indirect(asked, 'robot')}"
+
+
+def _is_act(about: Graphlet) -> bool:
+    return Telling((about,)).term(about.main).kind == "act"
 
 
 def _found(asked: Question, found: tuple[Graphlet, ...]) -> str:
@@ -67,59 +83,55 @@ def _found(asked: Question, found: tuple[Graphlet, ...]) -> str:
             "did": "I did nothing",
             "learned": "nobody taught me anything today",
         }.get(asked.topic, "nothing that I know of")
-    listed = " and ".join(filter(None, (", ".join(told[:-1]), told[-1])))
+    answer = listed(told)
     match asked.topic:
         case "identity":
-            return f"you are {listed}"
+            return f"you are {answer}"
         case "doing":
-            return f"I am {listed}"
-        case "did":
-            return f"I {listed}"
+            return f"I am {answer}"
+        case "did" if asked.ask == "what":
+            return f"I {answer}"
         case "taught":
-            return f"{listed} taught me to {act_in_words(asked.about)}"
-    return f"because {listed}" if asked.ask == "why" else listed
+            return f"{answer} taught me to {act_in_words(asked.about)}"
+    return f"because {answer}" if asked.ask == "why" else answer
 
 
 def _told(asked: Question, graphlet: Graphlet) -> str:
     """One thing found, in words: an action, a name, what is so of the thing asked about, or which thing it is."""
     main = Telling((graphlet,)).term(graphlet.main)
-    if asked.topic in ("doing", "did"):
+    if _is_act(graphlet) and asked.ask == "what" and asked.topic in ("doing", "did"):
         return act_in_words(graphlet, (), "gerund" if asked.topic == "doing" else "past")
     if asked.topic == "identity":
         return proper(min(main.lex - {"me", "you"}, default="somebody"))
     if is_predicate(main):
-        return render(_definite(graphlet, main), "robot")
+        return claim_in_words(graphlet)
     if main.literal is not None:
         return main.literal
-    return _news(asked, graphlet) or thing_in_words(graphlet.main, (graphlet,))
-
-
-def _definite(graphlet: Graphlet, main: Term) -> Graphlet:
-    """The same, its subject spoken of as known: "the block is red"."""
-    subjects = {other for role, other in main.links if role in (*SAYING, "agt")}
-    terms = (replace(t, ref="the") if t.name in subjects else t for t in graphlet)
-    return Graphlet(tuple(terms), graphlet.main)
+    return _news(asked, graphlet) or _which(asked, graphlet)
 
 
 def _news(asked: Question, graphlet: Graphlet) -> str:
     """What a description says of its thing that the question did not; "" where the question asks which thing it is."""
     wanted = asked.wanted or asked.about.main
-    roles = ("loc",) if asked.ask == "where" else SAYING
     known = [t for t in asked.about if (t.name == wanted and t.lex) or ("ako", wanted) in t.links]
-    if asked.ask not in ("where", "who", "what") or not known:
+    if asked.ask not in ("who", "what") or not known:
         return ""
-    new = [
-        term
-        for term in graphlet
-        if any((role, graphlet.main) in term.links for role in roles)
-        and not term.lex & asked.about.words()
-    ]
+    new = [t for t in _said_of(graphlet) if not t.lex & asked.about.words()]
     if not new:
         return ""
-    modifying = [t for t in graphlet if any(other.name in dict(t.links).values() for other in new)]
-    claimed = [*new, *(t for t in modifying if t not in new)]
-    main = replace(Telling((graphlet,)).term(graphlet.main), ref="the")
-    rest = (main, *(t for t in graphlet if t not in claimed and t.name != graphlet.main))
-    return render(
-        Fact(Graphlet(tuple(claimed), new[0].name), (Graphlet(rest, graphlet.main),)), "robot"
-    )
+    telling = Telling((definite(graphlet),), (), "robot")
+    telling.hold_back(new)
+    clauses = [clause(telling, term, "") for term in new]
+    subject, verb = clauses[0].subject, clauses[0].verb
+    return f"{subject} {verb} {listed([said.asked for said in clauses])}"
+
+
+def _which(asked: Question, graphlet: Graphlet) -> str:
+    """The thing by what the question did not say of it: "a red block"."""
+    said = {t.name for t in _said_of(graphlet) if t.lex & asked.about.words()}
+    rest = Graphlet(tuple(t for t in graphlet if t.name not in said), graphlet.main)
+    return thing_in_words(graphlet.main, (rest,))
+
+
+def _said_of(graphlet: Graphlet) -> list[Term]:
+    return [t for t in graphlet if any((role, graphlet.main) in t.links for role in SAYING)]

@@ -6,7 +6,9 @@ from collections.abc import Callable
 from typing import Final
 
 from grammars.render import act_in_words, thing_in_words
+from grammars.render.things import PRONOUNS, proper
 from grammars.replies import Said, both, renders
+from grammars.vocabulary import BORN
 from kernel.memory.reply import Failed, Reason
 from kernel.net.graphlet import Term
 
@@ -49,18 +51,24 @@ def _not_grounded(reply: Failed) -> str:
 
 def _nothing_found(reply: Failed) -> str:
     wanted = _wanted(reply)
-    return f"I don't know where {wanted} is" if wanted else "I can't find that"
+    if wanted in ("", *PRONOUNS):
+        return f'I don\'t know what you mean by "{wanted or "that"}"'
+    return f"I don't know where {wanted} is"
 
 
 def _wanted(reply: Failed) -> str:
-    """The thing that was looked for: what the act goes to or takes, or the thing itself."""
-    if reply.act is None:
-        return reply.detail
-    name = reply.act.main
-    if _is_act(reply):
+    """The thing that was looked for: what the act goes to or takes, the thing itself, or its bare name or kind."""
+    name = reply.act.main if reply.act is not None else ""
+    if reply.act is not None and _is_act(reply):
         links = dict(link for term in reply.act if term.name == name for link in term.links)
         name = links.get("dest") or links.get("obj", "")
-    return thing_in_words(name, (reply.act, *reply.about)) if name else reply.detail
+    if name:
+        return thing_in_words(name, tuple(g for g in (reply.act, *reply.about) if g))
+    if reply.detail in ("", *PRONOUNS):
+        return reply.detail
+    readings = BORN.readings(reply.detail)
+    named = "PROPER" in readings and "NOUN" not in readings
+    return proper(reply.detail) if named else f"the {reply.detail}"
 
 
 def _conflict(reply: Failed) -> str:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from grammars.errors import NotUnderstoodError
-from grammars.replies import Said, aloud, renders, sentence
+from grammars.replies import Said, aloud, listed, renders, sentence
 
 _LONGEST_LIST = 3
 
@@ -13,7 +13,7 @@ def not_understood(error: NotUnderstoodError) -> Said:
     """ "I don't know the word zork." """
     unknown = error.unknown_words
     if 0 < len(unknown) <= _LONGEST_LIST:
-        said = f"I don't know the word{'s' if len(unknown) > 1 else ''} {_listed(unknown)}"
+        said = f"I don't know the word{'s' if len(unknown) > 1 else ''} {listed(unknown)}"
     else:
         said = "I did not understand"
     shown = sentence(said)
@@ -23,7 +23,3 @@ def not_understood(error: NotUnderstoodError) -> Said:
         shown += f' Did you mean "{error.nearest}"?'
         return Said(shown, f"{aloud(said)} Did you mean: {error.nearest}?")
     return Said(shown, aloud(said))
-
-
-def _listed(words: tuple[str, ...]) -> str:
-    return " and ".join(filter(None, (", ".join(words[:-1]), words[-1])))

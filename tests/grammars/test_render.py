@@ -71,7 +71,7 @@ PROCEDURES = [
                      -amt-> act-5 ]""",
         "if something is very close, you could drive backward 10 inches unless it is a block",
         "when something is very close, I could drive backward 10 inches unless it is a block",
-        "I will watch for that",
+        "I will drive then",
         id="a reaction with an exception",
     ),
     pytest.param(
@@ -86,7 +86,7 @@ PROCEDURES = [
                      -amt-> act-3 ]""",
         "after you turn left, wait 1 second",
         "after I turn left, I will wait 1 second",
-        "I will remember that",
+        "I will wait 1 second afterwards",
         id="an after",
     ),
 ]
@@ -166,7 +166,7 @@ RULES = [
            belief: 1.0""",
         "if something is a girl, it is a person",
         "if something is a girl, it is a person",
-        "I will remember that",
+        "girls are people",
         id="a rule",
     ),
     pytest.param(
@@ -177,7 +177,7 @@ RULES = [
            belief: 0.8""",
         "if something is a girl, it is usually female",
         "if something is a girl, it is usually female",
-        "I will remember that",
+        "girls are usually female",
         id="a belief",
     ),
     pytest.param(

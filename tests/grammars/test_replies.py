@@ -90,8 +90,8 @@ GIRLS = Rule(
         pytest.param(
             LessonTaken(Lesson(1, "rule", GIRLS)),
             "Okay. If something is a girl, it is usually a person.",
-            "Okay. I will remember that.",
-            id="a rule too long for the ear",
+            "Okay. Girls are usually people.",
+            id="a rule: its gist aloud",
         ),
         pytest.param(
             FactTaken(net("ako-1 -lex- girl, -ako-> obj-2"), (net("obj-2 -lex- mary"),)),
@@ -127,10 +127,16 @@ GIRLS = Rule(
         pytest.param(Halted(True), "I have stopped.", "I have stopped.", id="halted"),
         pytest.param(Halted(False), "I was doing nothing.", "I was doing nothing.", id="idle"),
         pytest.param(
-            NotYet("repeat"),
-            "I understood, but I can't do that yet: repeat.",
-            "I understood, but I can't do that yet.",
+            NotYet("undo"),
+            "I understood, but I can't take a lesson back yet.",
+            "I understood, but I can't take a lesson back yet.",
             id="not yet",
+        ),
+        pytest.param(
+            NotYet("questions about know_how"),
+            "I understood, but I can't answer that yet.",
+            "I understood, but I can't answer that yet.",
+            id="not yet, without the mind's own words",
         ),
     ],
 )
@@ -158,6 +164,8 @@ def test_reply(reply: Reply, shown: str, spoken: str) -> None:
             ),
             "I don't know where the cup is.",
         ),
+        (Failed(None, "nothing_found", "kitchen"), "I don't know where the kitchen is."),
+        (Failed(None, "nothing_found", "mary"), "I don't know where Mary is."),
         (Failed(GRAB_MARY, "no_sense"), "I have no way to see that."),
         (Failed(DRIVE, "too_much", "2 meters"), "I can't drive more than 2 meters at once."),
         (Failed(DRIVE, "link_lost"), "I have lost the robot."),
@@ -227,6 +235,53 @@ PERSON = Question("yesno", MARY_IS_A_PERSON)
         (
             Answer(Question("who", net("obj-1 -lex- mary"), "obj-1"), "found", (MARY_IS_A_PERSON,)),
             "Mary is a person.",
+        ),
+        (
+            Answer(
+                Question("who", net("obj-1 -lex- mary"), "obj-1"),
+                "found",
+                (
+                    net(
+                        "obj-1 -lex- mary, ako-2 -lex- girl, -ako-> obj-1, hq-3 -lex- sad, -hq-> obj-1,"
+                        " ako-4 -lex- person, -ako-> obj-1"
+                    ),
+                ),
+            ),
+            "Mary is a girl, sad and a person.",
+        ),
+        (
+            Answer(
+                Question(
+                    "what",
+                    net("loc-3 -lex- behind, -loc-> obj-1, -wrt-> obj-2, obj-2 -lex- you"),
+                    "obj-1",
+                ),
+                "found",
+                (
+                    net(
+                        "obj-1, ako-2 -lex- block, -ako-> obj-1, hq-3 -lex- red, -hq-> obj-1,"
+                        " loc-4 -lex- behind, -loc-> obj-1, -wrt-> self-5, self-5 -lex- you"
+                    ),
+                ),
+            ),
+            "A red block.",
+        ),
+        (
+            Answer(
+                Question(
+                    "where",
+                    net("loc-1 -loc-> obj-2, obj-2 -ref- the, ako-3 -lex- block, -ako-> obj-2"),
+                    "loc-1",
+                ),
+                "found",
+                (
+                    net(
+                        "loc-1 -lex- behind, -loc-> obj-2, -wrt-> self-4, ako-3 -lex- block, -ako-> obj-2,"
+                        " self-4 -lex- you, obj-2"
+                    ),
+                ),
+            ),
+            "The block is behind me.",
         ),
     ],
 )
