@@ -11,16 +11,87 @@ parser decides what may act.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+import random
+import re
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from functools import cache
+from importlib.resources import files
 
-from grammars.automaton import Automaton, renumbered, useful
+from grammars import morphology
+from grammars.automaton import Automaton, renumbered, sample, useful
+from grammars.parse import grammar
+from grammars.vocabulary import BORN, Vocabulary, lines
 
-MAX_DEPTH = 1
+MAX_DEPTH = 0
 """How often a rule may stand inside itself, other than at its beginning or end ("the block next to the ball next to
-...". Our choice: at 2 the automaton is many times as big and hearing no better."""
+...". Our choice: deeper, the automaton is many times as big and hearing no better."""
+SHORT_FORMS = {
+    ("do", "not"): "don't",
+    ("i", "am"): "i'm",
+    ("you", "are"): "you're",
+    ("it", "is"): "it's",
+    ("should", "not"): "shouldn't",
+    ("must", "not"): "mustn't",
+}
+"""What the parser reads as two words and people say as one."""
+
 
 Rule = tuple[str, tuple[str, ...]]
 """A name, and what may be written for it. What no rule is named after is a terminal."""
+
+
+def automaton(vocabulary: Vocabulary = BORN) -> Automaton:
+    """What may be said by someone who has taught these words."""
+    return expand(skeleton(), spoken_words(vocabulary))
+
+
+def phrases(vocabulary: Vocabulary, count: int, seed: int) -> list[str]:
+    """Sentences that may be heard, drawn at random; the same seed draws the same ones."""
+    return sample(automaton(vocabulary), count, random.Random(seed))
+
+
+@cache
+def skeleton() -> Automaton:
+    """The language with categories in the place of their words, compiled once."""
+    rules = heard_rules(spoken_rules(), files("grammars").joinpath("heard.lark").read_text("utf8"))
+    return compile_rules(rules, "start")
+
+
+def spoken_rules() -> list[Rule]:
+    """The parser's rules; words written out in them stand in quotation marks, which tells them from rules."""
+    words = {name: f'"{word}"' for word, name in grammar().literal.items()}
+    return [
+        (
+            rule.origin.name,
+            tuple(words.get(s.name, s.name) if s.is_term else s.name for s in rule.expansion),
+        )
+        for rule in grammar().rules
+    ]
+
+
+def heard_rules(rules: Iterable[Rule], text: str) -> list[Rule]:
+    """The rules with some replaced by those of a text in lark's notation: names, quoted words, bars, nothing else."""
+    replaced: list[Rule] = []
+    plain = re.sub(r"//.*", "", text)
+    for found in re.finditer(r"(\w+):((?:(?!\w+:)[\s\S])*)", plain):
+        replaced += [(found[1], tuple(way.split())) for way in found[2].split("|")]
+    origins = {origin for origin, _ in replaced}
+    return replaced + [rule for rule in rules if rule[0] not in origins]
+
+
+def spoken_words(vocabulary: Vocabulary) -> dict[str, tuple[str, ...]]:
+    """The words for each terminal: those the ears know at birth, and all that were taught."""
+    found: dict[str, dict[str, None]] = {}
+    for line in lines("heard"):
+        category, _, words = line.partition(":")
+        entries = words.split("|") if "|" in words or category == "QUOTED" else words.split()
+        found.setdefault(category, {}).update(dict.fromkeys(entry.strip() for entry in entries))
+    for category, plural in (("NOUN", "NOUNS"),):
+        found[plural] = dict.fromkeys(morphology.plural(word) for word in found[category])
+    for word, readings in vocabulary.taught.items():
+        for category in readings:
+            found.setdefault(category, {})[word] = None
+    return {category: tuple(words) for category, words in found.items()}
 
 
 def compile_rules(rules: Iterable[Rule], start: str, max_depth: int = MAX_DEPTH) -> Automaton:
@@ -43,14 +114,28 @@ def expand(skeleton: Automaton, words: Mapping[str, Sequence[str]]) -> Automaton
     arcs: set[tuple[int, str, int]] = set()
     fresh = skeleton.size
     for source, terminal, target in skeleton.arcs:
-        for entry in words.get(terminal, ()):
+        entries = (terminal.strip('"'),) if terminal.startswith('"') else words.get(terminal, ())
+        for entry in entries:
             *firsts, last = entry.split()
             state = source
             for word in firsts:
                 arcs.add((state, word, fresh))
                 state, fresh = fresh, fresh + 1
             arcs.add((state, last, target))
+    arcs |= set(_short_forms(arcs))
     return useful(Automaton(skeleton.start, skeleton.finals, tuple(sorted(arcs))))
+
+
+def _short_forms(arcs: Iterable[tuple[int, str, int]]) -> Iterator[tuple[int, str, int]]:
+    firsts = {first for first, _ in SHORT_FORMS}
+    onward: dict[int, list[tuple[str, int]]] = {}
+    for source, word, target in arcs:
+        onward.setdefault(source, []).append((word, target))
+    for source, first, middle in arcs:
+        if first in firsts:
+            for second, target in onward.get(middle, ()):
+                if short := SHORT_FORMS.get((first, second)):
+                    yield source, short, target
 
 
 class _Compiler:

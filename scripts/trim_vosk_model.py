@@ -173,6 +173,7 @@ class Bigram:
 
     @classmethod
     def read(cls, model: Path) -> Bigram:
+        """Read the grammar of a model."""
         names = {}
         for line in (model / "graph/words.txt").read_text(encoding="utf-8").splitlines():
             word, number = line.split()
@@ -285,7 +286,7 @@ def main() -> int:
     lexicon = read_lexicon([HOUSE / "grammars/words/pronunciations.txt", dictionary])
     bigram = Bigram.read(asked.source)
     text = " ".join(path.read_text(encoding="utf-8").lower() for path in asked.also)
-    wanted = set(re.findall(r"[a-z][a-z'-]*", text))
+    wanted = set(re.findall(r"[a-z](?:[a-z'-]*[a-z])?", text))
     wanted |= {part for word in wanted for part in word.split("-")}
     common = [word for word in bigram.by_frequency() if re.fullmatch(r"[a-z][a-z']*", word)]
     words = sorted((wanted | set(common[: asked.common])) & lexicon.keys())

@@ -10,7 +10,7 @@ from daemon.hearing.recogniser import UnknownEngineError, engines
 from daemon.hearing.trust import Thresholds
 
 THRESHOLDS = {
-    "vosk": Thresholds(outside=0.5, unsure=0.5),
+    "vosk": Thresholds(outside=0.5, unsure=0.6),
     "pocketsphinx": Thresholds(outside=0.0, unsure=0.0),
 }
 BETTER = "vosk"

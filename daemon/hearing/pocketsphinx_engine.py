@@ -18,6 +18,9 @@ from grammars.automaton import Automaton, restrict
 
 SHIPPED = "en-us"
 SETTINGS = {"bestpath": False, "beam": 1e-80, "wbeam": 1e-60, "pbeam": 1e-80, "lm": None}
+FORCED = 0.02
+"""How much lower a whole sentence may score than the beginning of a longer one, in the decoder's logarithm: whole ones
+were at most 0.016 lower, broken-off ones, filled up with a word, 0.01 to 0.09."""
 
 
 class DictionaryError(EngineError):
@@ -98,11 +101,18 @@ class PocketsphinxRecogniser:
         return self._text()
 
     def final(self) -> tuple[Alternative, ...]:
-        """See Recogniser. One hypothesis only: without the lattice pass there are no others worth the time."""
+        """See Recogniser.
+
+        One hypothesis only: without the lattice pass there are no others worth the time. The decoder would end in a
+        sentence at any price; where that is too high, what was heard is the beginning of one.
+        """
+        unforced = self._decoder.hyp()
         self._decoder.end_utt()
         self._listening = False
-        text = self._text()
-        return (Alternative(text, self._fit()),) if text else ()
+        forced = self._decoder.hyp()
+        if unforced and (not forced or math.log(unforced.score / forced.score) > FORCED):
+            return (Alternative(str(unforced.hypstr), 0.0),)
+        return (Alternative(str(forced.hypstr), self._fit()),) if forced else ()
 
     def _text(self) -> str:
         found = self._decoder.hyp()

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 STOP_WORDS = frozenset({"stop", "halt", "freeze"})
-STEADY = 2
-"""So many hypotheses in a row must be just the stop word: the first syllable of another word comes and goes."""
+STEADY = 6
+"""So many hypotheses in a row must be just the stop word, or a single one when the voice has paused: the first syllable
+of another word comes and goes."""
 
 
 class StopSpotter:
@@ -23,14 +24,14 @@ class StopSpotter:
         """Another utterance begins."""
         self._steady, self._done = 0, False
 
-    def heard(self, partial: str) -> str:
-        """Take the next hypothesis; the stop word if it is one, once an utterance, else ""."""
+    def heard(self, partial: str, quiet: bool) -> str:
+        """Take the next hypothesis and whether the voice has paused; the stop word, once an utterance, else ""."""
         words = [word for word in partial.split() if word != self._name]
         if len(words) != 1 or words[0] not in STOP_WORDS or len(partial.split()) > 2:
             self._steady = 0
             return ""
         self._steady += 1
-        if self._done or self._steady < STEADY:
+        if self._done or not (quiet or self._steady >= STEADY):
             return ""
         self._done = True
         return words[0]

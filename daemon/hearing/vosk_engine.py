@@ -24,15 +24,25 @@ UNKNOWN = "[unk]"
 UNKNOWN_SHARE = 20
 """One [unk] for so many phrases: with a single one, its share of the bigram vanishes as the list grows."""
 
+DOUBT = {"a": 1.5, "and": 2.0}
+"""Cost in nats of words the model likes too much: "grab the" came out as "grab a" in 4 of 5 voices, "then" as "and" in
+one; with these costs 14 of 255 sentences were wrong that had been 20."""
+MIDDLE, SPREAD = -4.0, 2.0
+"""Margin over the best alternative that is no sentence, in nats, at which confidence is one half, and the change that
+makes it 0.73. Of 126 sentences the lowest was -2.1; none of 183 pieces of chatter had a sentence among 20 alternatives.
+"""
+
 OVERLAY = """--endpoint.rule1.min-trailing-silence=1000
 --endpoint.rule2.min-trailing-silence=1000
 --endpoint.rule3.min-trailing-silence=1000
 --endpoint.rule4.min-trailing-silence=1000
 --endpoint.rule5.min-utterance-length=1000
---frames-per-chunk=6
+--frames-per-chunk=3
+--beam=13.0
+--lattice-beam=8.0
 """
-"""Never an end of speech of its own accord, that is the listener's; and hypotheses every 60 ms instead of every 210,
-which the stop spotter needs."""
+"""Never an end of speech of its own accord, that is the listener's; and hypotheses every 30 ms instead of every 210,
+which the stop spotter needs; and alternatives enough: with a lattice beam of 4 the right one was missing in 1 of 25."""
 
 
 class ModelError(EngineError):
@@ -107,12 +117,17 @@ class VoskRecogniser:
         return tuple(self._trusted(scored))
 
     def _trusted(self, scored: list[tuple[str, float]]) -> Iterator[Alternative]:
-        """Confidence from the margin, in nats, over the best alternative that is no sentence."""
-        others = [score for text, score in scored if not self._language.accepts(text.split())]
-        for text, score in scored:
-            if text:
-                margin = score - max(others, default=score - 10.0)
-                yield Alternative(text, 1.0 / (1.0 + math.exp(-margin)))
+        """Sentences before all else, by score; confidence from the margin over the best that is none."""
+        judged = [
+            (self._language.accepts(text.split()), score - _doubt(text), text)
+            for text, score in scored
+        ]
+        best_other = max((score for whole, score, _ in judged if not whole), default=-math.inf)
+        top = max((score for _, score, _ in judged), default=0.0)
+        for whole, score, text in sorted(judged, key=lambda found: -found[1]):
+            if text and (whole or score == top):
+                margin = (score - best_other - MIDDLE) / SPREAD if whole else -30.0
+                yield Alternative(text, 1.0 / (1.0 + math.exp(-min(margin, 30.0))))
 
     @property
     def _engine(self) -> vosk.KaldiRecognizer:
@@ -147,6 +162,10 @@ def check(path: Path) -> None:
         raise ModelError(
             f"{path}: this model has a fixed graph (HCLG.fst) and takes no grammars; use one of Vosk's small models"
         )
+
+
+def _doubt(text: str) -> float:
+    return sum(DOUBT.get(word, 0.0) for word in text.split())
 
 
 def overlay(model: Path, folder: Path) -> None:
