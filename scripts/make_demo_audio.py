@@ -19,9 +19,8 @@ from daemon.dialogue import You
 SPEAKERS: Final = (
     ("drive forward", "flite-slt"),
     ("If something is very close then drive backwards", "flite-awb"),
-    ("You should never grab a person but instead say I'm not allowed to", "flite-slt"),
-    ("turn means rotate", "flite-kal16"),
-    ("If Rick tells you to do something don't but instead complain", "flite-slt"),
+    ("You should never grab a person but instead say I'm not allowed to", "flite-kal16"),
+    ("turn means rotate", "flite-slt"),
     ("I am Rick", "flite-rms"),
 )
 """Who speaks from this line on."""

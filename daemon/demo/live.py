@@ -21,7 +21,7 @@ from daemon.recorder import SAMPLE_S, Recorder, change, sample
 from daemon.store import Store
 from kernel.bodies.forklift.simulated import World
 
-SETTLE_S: Final = 0.4
+SETTLE_S: Final = 0.25
 """Idle for so long is idle: a sensor's next report, and what the mind makes of it, come within that."""
 LOOK_S: Final = 0.02
 AT_MOST_S: Final = 60.0
