@@ -27,7 +27,10 @@ SELF: Final = {"you": "you", "yourself": "you", "me": "me", "i": "me"}
 SELF_OWN: Final = {"my": "me", "your": "you"}
 OWNING: Final = {"his": "he", "her": "she", "its": "it", "their": "they", "our": "we"}
 PERSONAL: Final = frozenset("him her he she".split())
-PERSON_WORDS: Final = frozenset("someone somebody anyone anybody nobody".split()) | {"someone else", "no one"}
+PERSON_WORDS: Final = frozenset("someone somebody anyone anybody nobody".split()) | {
+    "someone else",
+    "no one",
+}
 NOBODY: Final = frozenset(("nothing", "nobody", "no one"))
 PERSONS: Final = frozenset(
     "person man woman boy girl child kid baby human guest visitor stranger friend neighbor owner".split()
@@ -251,7 +254,8 @@ class Build:
     def predicate(self, name: str, pred: AList, negated: bool) -> str:
         """Say something of a thing; the node of the predicate."""
         if pred.has("qual"):
-            return [self.quality(name, part, negated) for part in pred.all("qual")][0]
+            main, *_ = [self.quality(name, part, negated) for part in pred.all("qual")]
+            return main
         if (kindof := pred.find("kindof")) is not None:
             return self._kind_of(name, kindof, negated)
         if (loc := pred.find("loc")) is not None:
@@ -266,7 +270,9 @@ class Build:
             self.sketch.change(name, lex=frozenset((called.slot("name"),)))
             return self.put(name)
         if pred.has("here"):
-            return self.add("loc", "in front of", loc=name, wrt=self.oneself("you"), negated=negated)
+            return self.add(
+                "loc", "in front of", loc=name, wrt=self.oneself("you"), negated=negated
+            )
         if (belongs := pred.find("belongs")) is not None:
             return self.add("own", own=name, of=self.thing(belongs, person=True), negated=negated)
         raise NoMeaningError(str(pred))

@@ -6,7 +6,6 @@ from grammars.alist import AList
 from grammars.build import Build, NoMeaningError
 from kernel.net.graphlet import Graphlet
 
-
 VERB_SLOTS = ("does", "gerund", "state", "states", "verb", "verbs")
 
 
@@ -81,9 +80,7 @@ def _exists(build: Build, exists: AList) -> str:
     raise NoMeaningError(str(exists))
 
 
-def _doing(
-    build: Build, part: AList, agent: str, objects: list[AList], negated: bool
-) -> str:
+def _doing(build: Build, part: AList, agent: str, objects: list[AList], negated: bool) -> str:
     """An act of somebody's: "Mary is watching", "you see Mom coming", "he speaks Portuguese"."""
     going = part.find("going")
     body = part

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Container, Sequence
 from functools import cache
 from typing import Final
 
@@ -17,20 +17,28 @@ NEAR_ENOUGH: Final = (
 SHORTEST: Final = 3  # letters of a word that may be a typo
 
 
-def near_words(word: str, words: Sequence[str]) -> list[str]:
-    """Words one slip away (a letter too many, too few, wrong, or two swapped), likeliest first, at most three."""
+def near_words(
+    word: str, words: Sequence[str], common: Container[str] = frozenset()
+) -> list[str]:
+    """Words one slip away (a letter too many, too few, wrong, or two swapped), likeliest first, at most three.
+
+    Args:
+        word: as typed.
+        words: to choose from.
+        common: words that come before others of the same likelihood.
+    """
     if len(word) < SHORTEST:
         return []
     found = process.extract(word, words, scorer=OSA.distance, score_cutoff=1, limit=30)
     near = [other for other, distance, _ in found if distance == 1 and len(other) >= SHORTEST]
-    return sorted(near, key=lambda other: _slip(word, other))[:3]
+    return sorted(near, key=lambda other: (*_slip(word, other), other not in common, other))[:3]
 
 
-def _slip(typed: str, meant: str) -> tuple[int, int, str]:
+def _slip(typed: str, meant: str) -> tuple[int, int]:
     """Likelihood of a slip: swapped letters, then a letter left out, then the rest; same first letter first."""
     swapped = sorted(typed) == sorted(meant)
     kind = 0 if swapped else 1 if len(meant) > len(typed) else 2
-    return kind, int(typed[0] != meant[0]), meant
+    return kind, int(typed[0] != meant[0])
 
 
 @cache

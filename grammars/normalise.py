@@ -225,7 +225,7 @@ def repaired_by_speaker(found: Sequence[Piece]) -> list[Piece]:
             after = [piece for piece in found[at + len(marker) :] if piece.kind != "comma"]
             again = next(
                 (i for i in range(len(before)) if after and before[i].text == after[0].text),
-                max(1, len(before) - len(after)),
+                max(0, len(before) - len(after)),
             )
             return [*before[:again], *after]
     return list(found)

@@ -20,8 +20,16 @@ EXAMPLES = (
     "go on",
     "what did you learn today",
 )
-ACTS: Final[tuple[Literal["stop", "cancel", "undo", "forget", "repeat", "resume", "learned"], ...]]
-ACTS = ("stop", "cancel", "undo", "forget", "repeat", "resume", "learned")
+Act = Literal["stop", "cancel", "undo", "forget", "repeat", "resume", "learned"]
+ACTS: Final[tuple[Act, ...]] = (
+    "stop",
+    "cancel",
+    "undo",
+    "forget",
+    "repeat",
+    "resume",
+    "learned",
+)
 
 
 @sentence_form("control", "control", EXAMPLES)

@@ -54,7 +54,11 @@ def _check_subject(said: AList) -> None:
     if subject is None:
         return
     bare = not any(subject.has(p) for p in ("name", "det", "own", "owner", "pron", "vague"))
-    if bare or subject.slot("det") in ("a", "an", "any", "no") or subject.slot("pron") in ("i", "me"):
+    if (
+        bare
+        or subject.slot("det") in ("a", "an", "any", "no")
+        or subject.slot("pron") in ("i", "me")
+    ):
         raise NoMeaningError(str(said))
 
 

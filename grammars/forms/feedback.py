@@ -6,7 +6,13 @@ from grammars.alist import AList
 from grammars.registry import sentence_form
 from kernel.memory.meaning import Feedback
 
-EXAMPLES = ("Hey, stop that!", "good robot", "Bad robot!", "well done", "i did not like that at all")
+EXAMPLES = (
+    "Hey, stop that!",
+    "good robot",
+    "Bad robot!",
+    "well done",
+    "i did not like that at all",
+)
 
 
 @sentence_form("feedback", "feedback", EXAMPLES)

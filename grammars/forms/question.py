@@ -97,7 +97,9 @@ def _what(build: Build, body: AList) -> Question:
         agent = build.thing(things[0]) if things else build.oneself("you")
         wanted = build.add("obj")
         verb = body.slot("state_verb") or "have"
-        return Question("what", build.graphlet(build.add("act", verb, agt=agent, obj=wanted)), wanted)
+        return Question(
+            "what", build.graphlet(build.add("act", verb, agt=agent, obj=wanted)), wanted
+        )
     if not things:
         raise NoMeaningError(str(body))
     thing = build.thing(things[0])
@@ -125,7 +127,9 @@ def _owned(_: Build, body: AList) -> AList:
     owner = body.find("owner")
     if owner is not None:
         return AList("np", owner.parts or (AList("name", value=owner.value),))
-    return AList("np", (AList("pron", value={"your": "you", "my": "me"}.get(body.slot("own"), "it")),))
+    return AList(
+        "np", (AList("pron", value={"your": "you", "my": "me"}.get(body.slot("own"), "it")),)
+    )
 
 
 def _who(build: Build, body: AList) -> Question:

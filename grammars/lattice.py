@@ -1,0 +1,145 @@
+"""Words with all their categories, in a row: what the parser reads. And the ways a sentence may be meant to be cut up:
+set phrases, taught verbs of several words, stammering, the speaker's own corrections.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
+from typing import Final
+
+from grammars.morphology import readings as inflected
+from grammars.normalise import Piece, repaired_by_speaker, without_repeats
+from grammars.source import set_categories
+from grammars.vocabulary import OPEN, Vocabulary
+
+# Words around a set phrase that are no part of it.
+ADDRESS: Final = frozenset(
+    "hey okay robot now please well so alright listen kindly for me then thanks".split()
+)
+
+
+@dataclass(frozen=True, slots=True)
+class Token:
+    """A word in the lattice.
+
+    Attributes:
+        index: place in the sentence.
+        piece: the word as it stands in the text.
+        readings: terminal of the grammar to lemma.
+        known: it is in some category, or written out in some rule.
+    """
+
+    index: int
+    piece: Piece
+    readings: Mapping[str, str] = field(hash=False)
+    known: bool = True
+
+
+@dataclass(frozen=True, slots=True)
+class Lexer:
+    """Turns words into tokens.
+
+    Attributes:
+        vocabulary: the words known.
+        literal: words written out in rules, to their terminals.
+    """
+
+    vocabulary: Vocabulary
+    literal: Mapping[str, str]
+
+    def strange(self, piece: Piece) -> bool:
+        """A word in no category and in no rule."""
+        known = self.vocabulary.knows(piece.text) or piece.text in self.literal
+        return piece.kind == "word" and not known
+
+    def tokens(self, found: Sequence[Piece], guessing: bool) -> list[Token]:
+        """The lattice; guessing lets the position of a strange word decide what it is."""
+        return [self._token(at, piece, guessing) for at, piece in enumerate(found)]
+
+    def _token(self, at: int, piece: Piece, guessing: bool) -> Token:
+        match piece.kind:
+            case "comma":
+                return Token(at, piece, {"_COMMA": ","})
+            case "quote":
+                return Token(at, piece, {"QUOTED": piece.text})
+            case "number":
+                return Token(at, piece, {"NUM": piece.text, "ANYWORD": piece.text})
+            case "word":
+                return self._word(at, piece, guessing)
+            case _:
+                return Token(at, piece, {"NOTHING": piece.text})
+
+    def _word(self, at: int, piece: Piece, guessing: bool) -> Token:
+        readings = self.vocabulary.readings(piece.text)
+        strange = self.strange(piece)
+        if strange:
+            readings |= _strange(piece, guessing)
+        if strange or readings.keys() & set(OPEN):
+            readings["OPENWORD"] = piece.text
+        if piece.text == "one":
+            readings["NUM"] = "1"
+        if literal := self.literal.get(piece.text):
+            readings[literal] = piece.text
+        readings["ANYWORD"] = piece.text
+        return Token(at, piece, readings, not strange)
+
+
+def _strange(piece: Piece, guessing: bool) -> dict[str, str]:
+    """What an unknown word may be: something new being named, a name if it has a capital; anything when guessing."""
+    readings = {"STRANGE": piece.text}
+    for reading in inflected(piece.text, "verb"):
+        if reading.form == "gerund":
+            readings.setdefault("NEWING", reading.lemma)
+    if piece.capital:
+        readings["PROPER"] = piece.text
+    if guessing:
+        readings["UNK"] = piece.text
+    return readings
+
+
+def variants(found: list[Piece], vocabulary: Vocabulary) -> Iterator[list[Piece]]:
+    """The sentence with set phrases made one word, as said, without stammering, and with the speaker's own corrections
+    carried out."""
+    seen: list[list[Piece]] = []
+    once = without_repeats(found)
+    for variant in (
+        _as_phrase(found, vocabulary),
+        _with_phrases(found, vocabulary),
+        found,
+        once,
+        repaired_by_speaker(once),
+    ):
+        if variant and variant not in seen:
+            seen.append(variant)
+            yield variant
+
+
+def _as_phrase(found: list[Piece], vocabulary: Vocabulary) -> list[Piece]:
+    """The sentence with the set phrase that it consists of made one word; empty if it is none."""
+    words = [piece for piece in found if piece.kind != "comma"]
+    starts = [at for at in range(len(words)) if all(p.text in ADDRESS for p in words[:at])]
+    ends = [at for at in range(len(words) + 1) if all(p.text in ADDRESS for p in words[at:])]
+    for begin in starts:
+        for end in reversed(ends):
+            text = " ".join(piece.text for piece in words[begin:end])
+            if begin < end and vocabulary.readings(text).keys() & set_categories():
+                return [*words[:begin], _merged(words[begin:end]), *words[end:]]
+    return []
+
+
+def _with_phrases(found: list[Piece], vocabulary: Vocabulary) -> list[Piece]:
+    """The sentence with taught verbs of several words made one word each; empty if there are none."""
+    result, at = list(found), 0
+    while at < len(result):
+        for words in vocabulary.taught_phrases:
+            run = result[at : at + len(words)]
+            if tuple(piece.text for piece in run) == words:
+                result[at : at + len(words)] = [_merged(run)]
+                break
+        at += 1
+    return result if len(result) < len(found) else []
+
+
+def _merged(run: Sequence[Piece]) -> Piece:
+    return Piece("word", " ".join(piece.text for piece in run), run[0].begin, run[-1].end)

@@ -1,0 +1,40 @@
+"""The grammar as text: top level, phrases, and the files of the forms, with the terminals they may use."""
+
+from __future__ import annotations
+
+from functools import cache
+from importlib.resources import files
+from typing import Final
+
+from grammars.registry import discover
+from grammars.vocabulary import set_phrases
+
+CATEGORIES: Final = (
+    "VERB VERBS VERBING VERBED GIVE MOTION STATE STATES NOUN NOUNS ADJ ADJER ADJEST ADV DEG DIR PROPER NUM UNIT PREP"
+    " ORD QUOTED ANYWORD NEWING OPENWORD STRANGE UNK _COMMA"
+).split()
+# What it costs to take a word as something else than it is known to be; a set phrase is a little better than its words.
+TERMINAL_COST: Final[dict[str, int]] = {"ANYWORD": 2, "OPENWORD": 1, "STRANGE": 3, "UNK": 10}
+SET_PHRASE_COST: Final = -1
+
+
+@cache
+def set_categories() -> frozenset[str]:
+    """Categories of set phrases."""
+    return frozenset(set_phrases())
+
+
+def terminal_cost(terminal: str) -> int:
+    """Cost of reading a word as this terminal."""
+    return SET_PHRASE_COST if terminal in set_categories() else TERMINAL_COST.get(terminal, 0)
+
+
+def grammar_text() -> str:
+    """The whole grammar."""
+    names = sorted(discover())
+    folder = files("grammars")
+    parts = [folder.joinpath(name).read_text("utf8") for name in ("toplevel.lark", "phrase.lark")]
+    parts += [folder.joinpath("forms", f"{name}.lark").read_text("utf8") for name in names]
+    parts.append(f"_form: {' | '.join(names)}")
+    parts.append("%declare " + " ".join((*CATEGORIES, *sorted(set_categories()))))
+    return "\n".join(parts)

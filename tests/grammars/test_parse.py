@@ -1,0 +1,126 @@
+"""Reading: lattice, ranking, unknown words, typos; and that nothing but NotUnderstoodError ever comes out."""
+
+from __future__ import annotations
+
+import json
+from importlib.resources import files
+
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from grammars.errors import NotUnderstoodError
+from grammars.parse import COMPILED, Parsed, closed_words, compile_grammar, parse, productions
+from grammars.vocabulary import BORN
+
+WORDS = sorted({*BORN.everything, *closed_words()})
+
+
+def read(text: str) -> Parsed | None:
+    try:
+        return parse(text)
+    except NotUnderstoodError:
+        return None
+
+
+@settings(max_examples=150, deadline=None)
+@given(st.lists(st.sampled_from(WORDS), min_size=1, max_size=12))
+def test_random_words_never_break_it(words: list[str]) -> None:
+    read(" ".join(words))
+
+
+@settings(max_examples=150, deadline=None)
+@given(st.lists(st.sampled_from(sorted(closed_words())), min_size=1, max_size=10))
+def test_random_function_words_never_break_it(words: list[str]) -> None:
+    read(" ".join(words))
+
+
+@settings(max_examples=100, deadline=None)
+@given(st.binary(max_size=80))
+def test_random_bytes_never_break_it(data: bytes) -> None:
+    read(data.decode("utf8", "replace"))
+    read(data.decode("latin1"))
+
+
+@pytest.mark.parametrize(
+    ("text", "kind", "word"),
+    [
+        ("to blorp turn left", "procedure", "blorp"),
+        ("blorping means turning left", "procedure", "blorping"),
+        ("grab the flibbit", "command", "flibbit"),
+        ("turn widdershins", "command", "widdershins"),
+        ("To turn widdershins turn counterclockwise", "procedure", "widdershins"),
+        ("Widdershins means counterclockwise", "alias", "widdershins"),
+        ("i am zorbo", "identity", "zorbo"),
+        ("this block is called plook", "fact", "plook"),
+    ],
+)
+def test_an_unknown_word_is_guessed_where_its_place_tells(text: str, kind: str, word: str) -> None:
+    parsed = parse(text)
+    assert parsed.kind == kind
+    assert parsed.unknown_words == (word,)
+
+
+@pytest.mark.parametrize(
+    ("text", "repaired"),
+    [
+        ("Rasie the lfit.", (("rasie", "raise"), ("lfit", "lift"))),
+        ("Nevr raise the lift.", (("nevr", "never"),)),
+        ("Wat color is the block?", (("wat", "what"),)),
+        ("To wiggle, turn left then trun right.", (("trun", "turn"),)),
+    ],
+)
+def test_typos_are_repaired_and_told(text: str, repaired: tuple[tuple[str, str], ...]) -> None:
+    assert parse(text).repaired == repaired
+
+
+def test_known_words_are_never_repaired() -> None:
+    assert read("turn lift") is None or not parse("turn lift").repaired
+
+
+def test_the_reading_with_fewest_guesses_comes_first_and_all_are_kept() -> None:
+    parsed = parse("say hello then turn left")
+    assert parsed.alternatives > 1
+    assert len(parsed.others) == parsed.alternatives - 1
+    assert "act=turn" in str(parsed.alist)
+    assert "hello then turn left" in " ".join(map(str, parsed.others))
+
+
+def test_ranking_is_deterministic() -> None:
+    text = "grab the block on the table next to the wall and say hello to mary"
+    assert parse(text) == parse(text)
+
+
+def test_association_list_shows_slots_values_and_brackets() -> None:
+    alist = parse("To cha-cha drive forward then drive backwards").alist
+    assert str(alist) == (
+        "start( procedure( action( act=cha-cha ) chain( play( action( act=drive dir=forward ) )"
+        " chain( play( action( act=drive dir=backward ) ) ) ) ) )"
+    )
+
+
+def test_the_kept_grammar_is_the_grammar() -> None:
+    kept = json.loads(files("grammars").joinpath(COMPILED).read_text("utf8"))
+    assert kept == json.loads(json.dumps(compile_grammar())), "run scripts/compile_grammar.py"
+
+
+def test_productions_are_closed() -> None:
+    rules = productions()
+    origins = {rule.origin for rule in rules}
+    assert "start" in origins
+    assert all(rule.symbols for rule in rules)
+    used = {symbol for rule in rules for symbol in rule.symbols}
+    undefined = {symbol for symbol in used if symbol.startswith("_")} - origins
+    assert undefined == {"_COMMA"}
+
+
+def test_loops_and_wishes_the_mind_cannot_do_are_not_understood() -> None:
+    for text in (
+        "drive forward until something is close",
+        "keep turning left",
+        "grab every block",
+        "repeat turn left then turn right three times",
+        "make sure the gripper is closed",
+        "while the gripper is empty keep turning right",
+    ):
+        assert read(text) is None, text
