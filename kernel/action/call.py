@@ -7,6 +7,7 @@ are resolved within the grounding kernel").
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Generator, Mapping
 from dataclasses import dataclass, field
 from typing import Final, Literal
@@ -175,10 +176,14 @@ class Call:
         """
         for node in self.modifiers("amt"):
             unit = min(node.lex, default="")
+            written = node.literal or "1"
             try:
-                return float(node.literal or "1"), unit
+                number = float(written)
             except ValueError:
-                raise NotGroundedError(self.verb, node.literal or "") from None
+                number = math.nan
+            if not math.isfinite(number):
+                raise NotGroundedError(self.verb, written)
+            return number, unit
         return None
 
     def argument(self, role: str) -> Node | None:

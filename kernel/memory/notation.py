@@ -38,7 +38,8 @@ def write(content: Written) -> str:
 
 def canonical(content: W) -> W:
     """The same content with canonical names, unordered parts sorted and empty terms left out."""
-    content = _sorted(content)
+    # Names first, so that what has no order is compared by what a name is in the whole, not in its part.
+    content = _sorted(_renamed(content, canonical_names(list(_graphlets(content)))))
     return _renamed(content, canonical_names(list(_graphlets(content))))
 
 

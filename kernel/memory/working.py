@@ -109,6 +109,10 @@ class WorkingMemory:
         for same in matches(fact, self.net, REMEMBERED, binding, 0.0):
             if same[fact.main] in self.told:
                 self.mention(same[fact.main])
+                for term in fact.terms:
+                    if term.name not in binding:
+                        same[term.name].belief = term.belief
+                self.changed()
                 return same, self.told[same[fact.main]]
         bound = self.instantiate(fact, binding)
         group = tuple(dict.fromkeys(node for name, node in bound.items() if name not in binding))
@@ -119,7 +123,10 @@ class WorkingMemory:
     def _remember(self, group: tuple[Node, ...]) -> None:
         self.told[group[0]] = group
         while len(self.told) > TOLD_LIMIT:
-            self.retract(next(iter(self.told)))
+            oldest = next(iter(self.told))
+            about = [other for node in self.told[oldest] for _, other in node.links]
+            self.retract(oldest)
+            self.forget(about)
         self.changed()
 
     def remember_description(self, nodes: Iterable[Node]) -> None:
