@@ -9,10 +9,8 @@ from __future__ import annotations
 import asyncio
 import logging
 import signal
-import socket
 import sys
 from collections.abc import Callable
-from concurrent.futures import ThreadPoolExecutor
 from contextlib import suppress
 from dataclasses import dataclass
 from pathlib import Path
@@ -20,6 +18,7 @@ from typing import Final
 
 from daemon import config as configuration
 from daemon import events
+from daemon.aside import Aside
 from daemon.clock import Clock, process_age_s
 from daemon.config import Config
 from daemon.control.messages import OutcomeWord
@@ -90,7 +89,7 @@ class App:
         self._awake = asyncio.Event()
         self._closing = asyncio.Event()
         self._utterances: asyncio.Queue[_Waiting] = asyncio.Queue()
-        self._parser = ThreadPoolExecutor(1, thread_name_prefix="parse")
+        self._parser = Aside("parser")
         self._watchers: list[Callable[[events.Event], None]] = [journal]
         self._settling: list[asyncio.Future[None]] = []
         self._notifier = Notifier()
@@ -104,7 +103,7 @@ class App:
     async def run(self) -> int:
         """Serve until SIGTERM or SIGINT; the exit status."""
         server = ControlServer(configuration.socket_path(self._config), self)
-        bound = server.bind()
+        server.bind()
         for number in (signal.SIGTERM, signal.SIGINT):
             self._loop.add_signal_handler(number, self.close)
         try:
@@ -113,14 +112,13 @@ class App:
                     group.create_task(part, name=name)
                     for name, part in {
                         "link": supervise("link", self._parts.link.serve, self._failed),
-                        "control": self._control(server, bound),
+                        "control": supervise("control", server.serve, self._failed),
                         "understanding": self._understand(),
                         "loop": self._turn(),
+                        "warming up": self._warm_up(),
                         "hearing": supervise("hearing", self._ears.serve, self._failed),
                     }.items()
                 ]
-                await self._warm_up()
-                self._ready()
                 await self._closing.wait()
                 self._notifier.stopping()
                 self._cycle.stop(
@@ -130,7 +128,7 @@ class App:
                     task.cancel()
         finally:
             self._ears.close()
-            self._parser.shutdown(wait=False, cancel_futures=True)
+            self._parser.close()
             self._writer.close()
             self._store.close()
         return 0
@@ -228,9 +226,8 @@ class App:
             waiting = await self._utterances.get()
             utterance = waiting.utterance
             try:
-                understanding = await self._loop.run_in_executor(
-                    self._parser, understand, utterance, self._cycle.vocabulary
-                )
+                words = self._cycle.vocabulary
+                understanding = await self._parser.run(understand, utterance, words)
             except Exception as error:  # one sentence that breaks the parser must not end hearing
                 understanding = self._cycle.puzzled(utterance, error)
             self._cycle.take(understanding, waiting.epoch, waiting.source)
@@ -239,9 +236,6 @@ class App:
             if not waiting.taken.done():
                 waiting.taken.set_result(None)
             self._awake.set()
-
-    async def _control(self, server: ControlServer, bound: socket.socket) -> None:
-        await supervise("control", lambda: server.serve(bound), self._failed)
 
     async def _follow(self, utterance: Utterance, source: str) -> OutcomeWord:
         following = Following(utterance.text)
@@ -272,11 +266,11 @@ class App:
 
     async def _warm_up(self) -> None:
         """Compile the grammar before the first sentence comes: ready means able to listen."""
-        words = self._cycle.vocabulary
         try:
-            await self._loop.run_in_executor(self._parser, understand, Utterance("stop"), words)
+            await self._parser.run(understand, Utterance("stop"), self._cycle.vocabulary)
         except Exception as error:  # told now, not at the first sentence
             self._failed("understanding", f"{type(error).__name__}: {error}")
+        self._ready()
 
     def _ready(self) -> None:
         seconds = process_age_s()

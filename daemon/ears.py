@@ -7,6 +7,7 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from daemon.aside import Aside
 from daemon.clock import Clock
 from daemon.config import Hearing
 from daemon.hearing.events import Heard, HearingEvent, NotHeard, StopWord
@@ -32,6 +33,7 @@ class Ears:
         self._hearing, self._cycle, self._submit = hearing, cycle, submit
         self._ear: VirtualEar | None = None
         self._one_at_a_time = asyncio.Lock()
+        self._aside = Aside("ears")
 
     async def serve(self) -> None:
         """Hear the configured source to its end; typed: there is nothing to hear."""
@@ -46,7 +48,7 @@ class Ears:
         """
         async with self._one_at_a_time:
             began_s = asyncio.get_running_loop().time()
-            recorded = await asyncio.to_thread(self._transcribe, path)
+            recorded = await self._aside.run(self._transcribe, path)
             if not recorded.said:
                 self._cycle.unclear("", "noise")
             for known_s, event in recorded.events:
@@ -55,7 +57,11 @@ class Ears:
                 await self._perceive(event, speaker, source)
 
     def close(self) -> None:
-        """End the recogniser."""
+        """End the recogniser; does not wait for it."""
+        self._aside.run(self._end)
+        self._aside.close()
+
+    def _end(self) -> None:
         if self._ear is not None:
             self._ear.close()
 
@@ -66,7 +72,7 @@ class Ears:
 
         try:
             if self._ear is None:
-                self._ear = VirtualEar(self._hearing.engine)
+                self._ear = VirtualEar(self._hearing.engine, self._hearing.model)
             return self._ear.hear(path, self._cycle.vocabulary)
         except (RecordingError, EngineError) as error:
             raise ValueError(str(error)) from error

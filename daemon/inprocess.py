@@ -65,7 +65,8 @@ class Here:
 
         cycle, link = self._parts.cycle, self._parts.link
         self._following = Following()
-        with VirtualEar(self._config.hearing.engine) as ear:
+        hearing = self._config.hearing
+        with VirtualEar(hearing.engine, hearing.model) as ear:
             recorded = ear.hear(path, cycle.vocabulary)
         began_s = link.now_s
         if not recorded.said:

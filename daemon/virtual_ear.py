@@ -40,10 +40,13 @@ class VirtualEar:
 
     Args:
         engine: "auto", "vosk" or "pocketsphinx".
+        model: path of its model, "" for an installed or the shipped one.
     """
 
-    def __init__(self, engine: str = "auto") -> None:
-        self._engine = choose_engine(engine, "", (platformdirs.user_data_path("sayso") / MODELS,))
+    def __init__(self, engine: str = "auto", model: str = "") -> None:
+        self._engine = choose_engine(
+            engine, model, (platformdirs.user_data_path("sayso") / MODELS,)
+        )
         self._transcriber: Transcriber | None = None
         self._vocabulary: Vocabulary | None = None
 

@@ -56,8 +56,9 @@ class ControlServer:
     def __init__(self, path: Path, desk: Desk) -> None:
         self._path, self._desk = path, desk
         self._connections = 0
+        self._bound: socket.socket | None = None
 
-    def bind(self) -> socket.socket:
+    def bind(self) -> None:
         """Make the socket; a stale file of a daemon that is gone is replaced.
 
         Raises:
@@ -80,10 +81,13 @@ class ControlServer:
             raise
         finally:
             os.umask(before)
-        return bound
+        self._bound = bound
 
-    async def serve(self, bound: socket.socket) -> None:
-        """Answer until cancelled; then remove the socket."""
+    async def serve(self) -> None:
+        """Answer until cancelled; then remove the socket. Binds where that has not been done."""
+        if self._bound is None:
+            self.bind()
+        bound, self._bound = self._bound, None
         server = await asyncio.start_unix_server(
             self._connected, sock=bound, limit=messages.LINE_BYTES
         )

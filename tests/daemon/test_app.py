@@ -17,6 +17,7 @@ from pathlib import Path
 
 import pytest
 
+from daemon import app
 from daemon.control.client import Client
 from daemon.control.messages import Done, Happened, Say, Status, Stop, Told
 
@@ -114,6 +115,31 @@ def test_sigint_in_the_middle_of_a_drive_stops_the_robot(folder: Path) -> None:
         assert time.monotonic() - began_s < 1.0
         assert process.stderr is not None
         assert "'source': 'closing'" in process.stderr.read()
+
+
+def test_sigterm_before_it_is_ready(folder: Path) -> None:
+    with subprocess.Popen([*SAYSO, "run"], env=environment(folder)) as process:
+        while not (folder / "control.sock").exists():
+            assert process.poll() is None
+            time.sleep(0.005)
+        process.send_signal(signal.SIGTERM)
+        began_s = time.monotonic()
+        assert process.wait(5) == 0
+        assert time.monotonic() - began_s < 1.0
+
+
+def test_it_hears_the_sound_file_it_is_given(folder: Path) -> None:
+    audio = Path(app.__file__).parent / "demo" / "audio" / "01-drive-forward.wav"
+    with daemon(folder, "--hearing", str(audio)):
+        deadline_s = time.monotonic() + 30
+        while time.monotonic() < deadline_s:
+            (told,) = ask(folder, Status(v=1))
+            assert isinstance(told, Told)
+            if told.facts["pose"]["x_cm"] == pytest.approx(20, abs=3):
+                break
+            time.sleep(0.05)
+        else:
+            pytest.fail("it did not drive")
 
 
 def test_stop_from_the_command_line(folder: Path) -> None:

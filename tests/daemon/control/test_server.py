@@ -5,6 +5,7 @@ from __future__ import annotations
 import asyncio
 import json
 import os
+import socket
 import stat
 import tempfile
 from collections.abc import AsyncIterator, Callable, Iterator
@@ -66,7 +67,8 @@ def desk() -> RecordingDesk:
 @pytest.fixture
 async def served(path: Path, desk: RecordingDesk) -> AsyncIterator[Path]:
     server = ControlServer(path, desk)
-    task = asyncio.create_task(server.serve(server.bind()))
+    server.bind()
+    task = asyncio.create_task(server.serve())
     yield path
     task.cancel()
     with suppress(asyncio.CancelledError):
@@ -241,6 +243,23 @@ async def test_a_second_daemon_is_told_that_the_socket_is_taken(
 
 
 def test_what_a_killed_daemon_left_behind_is_replaced(path: Path, desk: RecordingDesk) -> None:
-    ControlServer(path, desk).bind().close()
+    path.parent.mkdir()
+    with socket.socket(socket.AF_UNIX) as left_behind:
+        left_behind.bind(str(path))
     assert path.exists()
-    ControlServer(path, desk).bind().close()
+    ControlServer(path, desk).bind()
+    with socket.socket(socket.AF_UNIX) as client:
+        client.connect(str(path))
+
+
+async def test_serving_can_be_started_again_after_it_failed(
+    path: Path, desk: RecordingDesk
+) -> None:
+    server = ControlServer(path, desk)
+    for _ in range(2):
+        task = asyncio.create_task(server.serve())
+        await until(lambda: mode(path) is not None)
+        assert (await talk(path, b'{"v": 1, "do": "status"}\n'))[0]["is"] == "told"
+        task.cancel()
+        with suppress(asyncio.CancelledError):
+            await task
