@@ -242,14 +242,23 @@ async def test_a_second_daemon_is_told_that_the_socket_is_taken(
     assert mode(served) is not None
 
 
-def test_what_a_killed_daemon_left_behind_is_replaced(path: Path, desk: RecordingDesk) -> None:
+async def test_what_a_killed_daemon_left_behind_is_replaced(
+    path: Path, desk: RecordingDesk
+) -> None:
+    left_behind(path)
+    task = asyncio.create_task(ControlServer(path, desk).serve())
+    await asyncio.sleep(0)
+    assert (await talk(path, b'{"v": 1, "do": "status"}\n'))[0]["is"] == "told"
+    task.cancel()
+    with suppress(asyncio.CancelledError):
+        await task
+
+
+def left_behind(path: Path) -> None:
     path.parent.mkdir()
-    with socket.socket(socket.AF_UNIX) as left_behind:
-        left_behind.bind(str(path))
+    with socket.socket(socket.AF_UNIX) as dead:
+        dead.bind(str(path))
     assert path.exists()
-    ControlServer(path, desk).bind()
-    with socket.socket(socket.AF_UNIX) as client:
-        client.connect(str(path))
 
 
 async def test_serving_can_be_started_again_after_it_failed(
