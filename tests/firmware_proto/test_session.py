@@ -201,8 +201,8 @@ def test_silence_is_degraded_after_300_ms_and_lost_after_a_second() -> None:
 
 def test_a_hung_host_does_not_take_its_own_silence_for_the_far_ends() -> None:
     road = ready()
-    road.session.beat(road.now_s)
-    road.flush()
+    while road.session._waiting_since_s is None:  # until a PONG is due
+        road.step()
     road.now_s += 5.0
     road.flush()
     assert not road.session.over
@@ -341,6 +341,19 @@ def test_an_acknowledged_stop_is_not_repeated_and_the_next_epoch_moves() -> None
     assert road.send(Drive(100, 100, 100))
     road.run(0.05)
     assert road.device.state is State.DRIVING
+
+
+def test_the_next_epoch_waits_until_the_stop_has_arrived() -> None:
+    """Else a repeated STOP, meant for what was before it, would end what comes after it."""
+    road = ready()
+    road.dead = True
+    road.session.stop(road.now_s)
+    road.send(Lift(500, 500))
+    road.run(0.15)
+    assert not road.written(Lift)
+    road.dead = False
+    road.run(0.2)
+    assert len(road.written(Lift)) == 1
 
 
 def test_a_cut_off_frame_in_front_of_stop_does_not_hide_it() -> None:

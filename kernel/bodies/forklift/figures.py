@@ -14,6 +14,7 @@ FRONT_CM = 7.0  # of the gripper
 BACK_CM = -7.0
 SIDE_CM = 6.0
 SENSOR_CM = 3.0  # 4 cm behind the gripper's front
+PADS_CM = 5.0  # the middle of the gripper's pads
 TRACK_M = 0.10  # between the wheels
 FULL_SPEED_M_S = 0.50  # a wheel at 1000 permille
 REACH_CM = 40.0  # of the rangefinder, from the gripper's front

@@ -26,7 +26,7 @@ OUTLINE_CM = {
     "right": figures.SIDE_CM,
     "behind": -figures.BACK_CM,
 }
-BETWEEN_FINGERS_CM = 5.0
+CLEAR_CM = 0.1  # between a thing in the fork and the chassis
 OUTAGE_S = 2.0
 SENSOR_STEPS = 4  # the rangefinder of the kind we model measures every 20 ms or so
 
@@ -76,7 +76,10 @@ class World:
         """Put a thing, or move it, to where the gripper closes on it."""
         with self._lock:
             thing = self._described(noun, colour, name, low)
-            self._put(thing, BETWEEN_FINGERS_CM, 0.0, 0.0, False)
+            lengthwise = thing.across_cm > thing.along_cm  # the narrow side goes between them
+            length_cm = max(thing.along_cm, thing.across_cm)
+            centre_cm = max(figures.PADS_CM, figures.SENSOR_CM + CLEAR_CM + length_cm / 2)
+            self._put(thing, centre_cm, 0.0, math.pi / 2 if lengthwise else 0.0, False)
 
     def nothing_within(self, cm: float = 40.0) -> None:
         """Take away everything nearer than this that the gripper does not hold."""

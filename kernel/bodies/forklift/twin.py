@@ -23,6 +23,7 @@ ROBOT_G, BLOCK_G_CM2 = 600.0, 3.0
 FLOOR_FRICTION_CM_S2 = 300.0
 FINGERS_PER_S = 2.0
 GRIP_SPAN_CM = 5.0  # things up to this wide fit between the pads
+MISS_CM = 0.4  # the pads close beside what is farther than this from their middle
 RANGE_NOISE_ADC, BATTERY_NOISE_ADC = 1.5, 1.0
 BATTERY_V, BATTERY_SAG_V, BATTERY_V_PER_S = 8.2, 0.2, 2.0e-4
 
@@ -179,12 +180,12 @@ class Twin:
 
     def _between(self) -> _Placed | None:
         """What stands between the pads and fits; a gripper beside its thing misses."""
+        pads = self._robot.local_to_world((figures.PADS_CM, 0))
         for placed in self._placed:
             if placed.follows is not None or placed.thing.fixed:
                 continue
-            x, y = self._robot.world_to_local(placed.body.position)
-            inside = figures.SENSOR_CM < x < figures.FRONT_CM and abs(y) < 1.7
-            if inside and self._width(placed) * figures.FORK_OPENING_CM <= GRIP_SPAN_CM:
+            reached = placed.shape.point_query(pads).distance < MISS_CM
+            if reached and self._width(placed) * figures.FORK_OPENING_CM <= GRIP_SPAN_CM:
                 return placed
         return None
 
@@ -198,14 +199,12 @@ class Twin:
         ]
         self._space.add(*placed.joints)
         self._held = placed
-        self._filter(placed)
 
     def _let_go(self) -> None:
         placed, self._held = self._held, None
         if placed is not None:
             self._space.remove(*placed.joints)
             placed.joints = []
-            self._filter(placed)
 
     # ---- the world ------------------------------------------------------------------------------------------
 
@@ -285,9 +284,7 @@ class Twin:
             categories, mask = (0 if placed.thing.low else GHOST), BEAM
         else:
             categories, mask = (LOW if placed.thing.low else TALL), ROBOT | TALL | LOW | BEAM
-        placed.shape.filter = pymunk.ShapeFilter(
-            group=1 if placed is self._held else 0, categories=categories, mask=mask
-        )
+        placed.shape.filter = pymunk.ShapeFilter(categories=categories, mask=mask)
 
     def _follow(self) -> None:
         for placed in self._followers:

@@ -3,7 +3,7 @@
 import pytest
 
 from firmware_proto.frame import FrameReader, encode_message
-from firmware_proto.messages import Drive, Heartbeat, Hello, State
+from firmware_proto.messages import Drive, Grip, Heartbeat, Hello, State
 from kernel.bodies.forklift.faults import Faults
 from kernel.bodies.forklift.scene import Scene
 from kernel.bodies.forklift.simulated import Side, SimulatedForklift
@@ -65,6 +65,25 @@ def test_a_low_block_between_the_fingers_is_not_in_the_beam() -> None:
     robot = SimulatedForklift()
     robot.world.between_fingers("block", low=True)
     assert robot.world.truth().range_cm is None
+
+
+@pytest.mark.parametrize("noun", ["block", "pill", "cup", "sneaker", "gadget"])
+def test_what_is_put_between_the_fingers_can_be_gripped(noun: str) -> None:
+    robot = SimulatedForklift()
+    robot.world.between_fingers(noun, colour="red", name="Bert", low=True)
+    robot.write(encode_message(Hello(1), 5, 1) + encode_message(Heartbeat(0), 5, 0))
+    robot.advance(0.02)
+    not_after = (robot.device._mcu_ms() + 200) & 0xFFFF
+    robot.write(encode_message(Grip(0, 4000, not_after), 5, 2))
+    robot.advance(0.29)
+    for _ in range(5):
+        robot.write(encode_message(Heartbeat(0), 5, 0))
+        robot.advance(0.1)
+    held = robot.world.truth().holding
+    assert held is not None
+    assert (held.noun, held.colour, held.name) == (noun, "red", "Bert")
+    robot.world.nothing_within(40)
+    assert robot.world.truth().holding == held
 
 
 def test_what_follows_stays_ahead() -> None:

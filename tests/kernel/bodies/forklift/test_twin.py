@@ -81,7 +81,14 @@ def test_the_gripper_takes_what_is_between_its_fingers() -> None:
 
 
 @pytest.mark.parametrize(
-    "thing", [block(9), block(5, 2.5), block(5, noun="box"), block(5, noun="wall")]
+    "thing",
+    [
+        block(9),
+        block(5, 5.5),
+        block(5, 2.0, noun="pill"),
+        block(9, noun="box"),
+        block(9, noun="wall"),
+    ],
 )
 def test_the_gripper_misses_what_is_beside_beyond_too_wide_or_fixed(thing: Thing) -> None:
     truth = go(Twin(Scene(things=(thing,)), 1), CLOSE, 1.0)
