@@ -18,6 +18,7 @@ class Operators:
 
     def __init__(self) -> None:
         self._by_key: dict[tuple[str, str], list[Lesson]] = {}
+        self._reactions: dict[str, list[Lesson]] = {}
 
     def add(self, lesson: Lesson) -> None:
         """Put an operator lesson in force.
@@ -29,7 +30,10 @@ class Operators:
             raise TypeError(lesson.content)
         trigger = lesson.content.trigger
         word = _key(trigger.tag, trigger.graphlet) if trigger.graphlet else ""
-        self._by_key.setdefault((trigger.tag, word), []).append(lesson)
+        if trigger.tag == "NOTE":
+            self._reactions.setdefault(word, []).append(lesson)
+        else:
+            self._by_key.setdefault((trigger.tag, word), []).append(lesson)
 
     def for_node(self, tag: str, node: Node) -> Iterator[Lesson]:
         """Operators whose main node might be this one."""
@@ -38,13 +42,9 @@ class Operators:
 
     def for_fact(self, net: Net) -> Iterator[Lesson]:
         """NOTE operators whose words are in mind."""
-        for (tag, word), lessons in self._by_key.items():
-            if tag == "NOTE" and (not word or net.has_word(word)):
+        for word, lessons in self._reactions.items():
+            if not word or net.has_word(word):
                 yield from lessons
-
-    def any_with(self, tag: str) -> bool:
-        """Whether any operator has this tag."""
-        return any(key[0] == tag for key in self._by_key)
 
 
 def _key(tag: str, graphlet: Graphlet) -> str:
