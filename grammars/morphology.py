@@ -54,21 +54,7 @@ _ADJECTIVES: Final = """
 good better best; bad worse worst; far farther farthest; far further furthest; little less least; many more most
 """
 # Verbs of several syllables whose last one is stressed, so that the consonant doubles.
-_DOUBLING: Final = (
-    *(
-        "begin",
-        "forget",
-        "refer",
-        "prefer",
-        "admit",
-        "regret",
-        "occur",
-        "permit",
-        "commit",
-        "control",
-    ),
-    *("patrol", "unplug", "reset", "rerun", "equip"),
-)
+_DOUBLING: Final = "begin forget refer prefer admit regret occur permit commit control patrol unplug reset rerun equip"
 _VOWELS: Final = "aeiou"
 # Words whose first letter is not their first sound.
 _AN: Final = re.compile(r"hour|honest|hono|heir|8|1[18]\b")
@@ -125,7 +111,7 @@ def _first_word(inflect: Callable[[str], str]) -> Callable[[str], str]:
 
 def _doubles(word: str) -> bool:
     """True where the last consonant is doubled before -ing, -ed, -er: one vowel, one consonant, stressed."""
-    if word in _DOUBLING:
+    if word in _DOUBLING.split():
         return True
     syllables = re.findall(r"[aeiouy]+", word.rpartition("-")[2].replace("qu", "q"))
     ends = re.search(r"(?:^|[^aeiou]|qu)[aeiouy][^aeiouywx]$", word)

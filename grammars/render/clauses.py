@@ -11,7 +11,6 @@ from grammars.render.deeds import be, deed
 from grammars.render.telling import SAYING, Telling, is_predicate, linked, word
 from grammars.render.things import (
     WOMEN,
-    described,
     description,
     kind,
     place,
@@ -81,7 +80,7 @@ def clause(telling: Telling, term: Term, hedge: str, others: Iterable[Term] = ()
     telling.release(later)
     rest = _COMPLEMENTS[role](telling, term)
     telling.release(waiting)
-    denied = "not " if term.negated and subject != "nothing" else ""
+    denied = "not " if term.negated and subject not in ("nothing", "nobody") else ""
     verb = be(subject)
     return Clause(subject, verb, f"{verb} {denied}{adverb}{rest}", f"{denied}{adverb}{rest}")
 
@@ -105,10 +104,15 @@ def _picked_out(telling: Telling, name: str) -> bool:
 
 
 def _subject(telling: Telling, name: str, negated: bool) -> str:
-    bare = not described(telling, name) and not telling.term(name).ref
-    if negated and bare and name not in telling.mentioned:
-        telling.mention(name)
-        return "nothing"
+    if negated and name not in telling.mentioned and not telling.term(name).ref:
+        said = telling.about(name, *SAYING)
+        if not said and not telling.term(name).lex:
+            telling.mention(name)
+            return "nothing"
+        if [word(term) for term in said] == ["person"] and linked(said[0], "ako"):
+            telling.hold_back(said)
+            telling.mention(name)
+            return "nobody"
     return thing(telling, name, "subject")
 
 
@@ -148,6 +152,6 @@ _COMPLEMENTS: Final[dict[str, Callable[[Telling, Term], str]]] = {
 
 
 def _telling_first(term: Term) -> tuple[bool, bool, bool]:
-    """What makes the better clause: a deed before a state, a state before a kind; denied ones last."""
+    """What makes the better clause: what is denied, as no noun phrase takes it; a deed; a kind last."""
     roles = {role for role, _ in term.links}
-    return (not term.negated, term.kind == "act", "ako" not in roles)
+    return (term.negated or "ako" not in roles, term.negated, term.kind == "act")

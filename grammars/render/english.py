@@ -86,6 +86,6 @@ def claim_in_words(said: Graphlet) -> str:
 def definite(described: Graphlet) -> Graphlet:
     """The same, the things it describes spoken of as known: "the block"."""
     kinds = {other for term in described for role, other in term.links if role == "ako"}
-    whole = [*described, *map(Term, kinds - described.names)]
+    whole = [*described, *map(Term, sorted(kinds - described.names))]
     terms = (replace(t, ref=t.ref or "the") if t.name in kinds else t for t in whole)
     return Graphlet(tuple(terms), described.main)

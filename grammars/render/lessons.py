@@ -10,7 +10,7 @@ from grammars.morphology import plural
 from grammars.render.clauses import conditions
 from grammars.render.deeds import deed
 from grammars.render.procedures import procedure, without
-from grammars.render.telling import Telling, Voice, linked, word
+from grammars.render.telling import SAYING, Telling, Voice, linked, word
 from grammars.render.things import literally, pronoun, thing
 from kernel.memory.lesson import Operator, Rule
 from kernel.net.graphlet import Graphlet, Term
@@ -133,9 +133,20 @@ def is_alias(content: Rule) -> bool:
 
 def fact(content: Graphlet, finds: tuple[Graphlet, ...], voice: Voice) -> str:
     """The sentence that tells a fact about the things looked up."""
-    telling = Telling(finds, (content,), voice)
-    belief = next((term.belief for term in content if term.name == content.main), 1.0)
-    return conditions(telling, content, hedge(belief))
+    main = next((term for term in content if term.name == content.main), None)
+    subjects = [other for role, other in main.links if role in SAYING] if main else []
+    if main and not main.negated and subjects and _is_new(content, finds, subjects[0]):
+        return f"there is {thing(Telling((*finds, content), (), voice), subjects[0])}"
+    belief = main.belief if main else 1.0
+    return conditions(Telling(finds, (content,), voice), content, hedge(belief))
+
+
+def _is_new(content: Graphlet, finds: tuple[Graphlet, ...], name: str) -> bool:
+    """A thing of some kind that was not known before: "a red block"."""
+    told = Telling((content,))
+    found = any(find.main == name for find in finds)
+    named = told.term(name).lex or told.term(name).ref or told.about(name, "own")
+    return bool(told.about(name, "ako")) and not found and not named
 
 
 def _main(content: Operator) -> str:

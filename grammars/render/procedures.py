@@ -62,6 +62,8 @@ def _part(telling: Telling, part: Directive | Chain, form: VerbForm, spoken: set
             return f"check whether {conditions(telling, part.graphlet)}"
         case "ACH":
             return f"make sure {conditions(telling, part.graphlet)}"
+        case "FCN":
+            return "do it"  # a skill of the body has no steps to tell
         case "NOTE":
             return f"note that {conditions(telling, part.graphlet)}"
     return deed(telling, main, form)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Final, Literal
 
 from grammars.build import PERSONS
-from grammars.morphology import article, comparative, gerund, superlative
+from grammars.morphology import article, comparative, gerund, plural, superlative
 from grammars.render.telling import Telling, linked, word
 from kernel.net.graphlet import Term
 
@@ -165,12 +165,13 @@ def _first(telling: Telling, term: Term) -> str:
     before, noun, after = description(telling, name, bare)
     if not noun:
         return " ".join(filter(None, ("something", before, after)))
-    phrase = " ".join(filter(None, (before, noun, after)))
+    numbers = [count.literal or "" for count in telling.take(name, "cnt")]
+    phrase = " ".join(filter(None, (*numbers, before, plural(noun) if numbers else noun, after)))
     if whose:
         return f"{whose} {phrase}"
     if ref == "one":
         return f"the {phrase}"
-    if not ref and noun in _MASSES:
+    if not ref and (numbers or noun in _MASSES):
         return phrase
     return f"{ref if ref in _DETERMINERS else article(phrase)} {phrase}"
 

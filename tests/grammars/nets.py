@@ -186,9 +186,27 @@ def _around(draft: Draft) -> Meaning:
 
 
 def _reaction(draft: Draft) -> Meaning:
-    main = draft.statement(draft.thing())
+    thing = draft.thing()
+    main = draft.statement(thing)
+    if draft.maybe():
+        draft.statement(draft.thing("the", deep=False))
     trigger = draft.graphlet(main)
-    return Teach("reaction", Operator(Directive("NOTE", trigger), draft.chain()))
+    exceptions: tuple[Graphlet, ...] = ()
+    if draft.maybe():
+        exceptions = (draft.graphlet(draft.statement(draft.thing("the", deep=False))),)
+    strength = draft.draw(st.sampled_from([0.8, 1.0, 1.2]))
+    operator = Operator(Directive("NOTE", trigger), draft.chain(), (), exceptions, strength)
+    return Teach("reaction", operator)
+
+
+def _trust(draft: Draft) -> Meaning:
+    act = draft.add("act") if draft.maybe() else draft.action(pattern=True)
+    boss = draft.add("obj", draft.one_of(*NAMES)) if draft.maybe() else draft.thing("a", deep=False)
+    draft.add("act", "tell", agt=boss, dest=draft.oneself("you"), cmd=act)
+    trigger = draft.graphlet(act)
+    punt = Directive("PUNT")
+    chain = draft.chain(punt) if draft.maybe() else Chain((Play((punt,)),))
+    return Teach("permission", Operator(Directive("ANTE", trigger), chain))
 
 
 def _prohibition(draft: Draft) -> Meaning:
@@ -228,4 +246,4 @@ def _fact(draft: Draft) -> Meaning:
 commands = _with(lambda draft: Command(draft.chain()))
 procedures, arounds, reactions = _with(_procedure), _with(_around), _with(_reaction)
 prohibitions, permissions = _with(_prohibition), _with(_permission)
-rules, facts = _with(_rule), _with(_fact)
+rules, facts, trusts = _with(_rule), _with(_fact), _with(_trust)

@@ -287,7 +287,10 @@ def test_any_command(meaning: Meaning) -> None:
 
 @settings(max_examples=60, deadline=None)
 @given(
-    st.one_of(nets.procedures, nets.arounds, nets.reactions, nets.prohibitions, nets.permissions)
+    st.one_of(
+        *(nets.procedures, nets.arounds, nets.reactions),
+        *(nets.prohibitions, nets.permissions, nets.trusts),
+    )
 )
 def test_any_operator(meaning: Teach) -> None:
     same(render(meaning, "teacher"), meaning.kind, meaning)

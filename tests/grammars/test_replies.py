@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+import pkgutil
 from typing import get_args
 
 import pytest
 
+from grammars import replies
 from grammars.errors import NotUnderstoodError
 from grammars.replies import Said, discover, say
 from kernel.memory.lesson import Lesson, Operator, Rule
@@ -316,3 +318,9 @@ def test_not_understood(error: NotUnderstoodError, shown: str, spoken: str) -> N
 
 def test_every_kind_of_reply_has_a_renderer() -> None:
     assert set(get_args(Reply)) <= set(discover())
+
+
+def test_every_file_registers_a_renderer() -> None:
+    modules = {module.name for module in pkgutil.iter_modules(replies.__path__)}
+    registered = {renderer.__module__.rpartition(".")[2] for renderer in discover().values()}
+    assert modules == registered
