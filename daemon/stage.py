@@ -95,7 +95,8 @@ class Stage:
         recorded = self._recogniser().hear(path, self._parts.cycle.vocabulary)
         for known_s, event in recorded.events:
             self.at(self.now_s + known_s, partial(self._heard, event))
-        self.at(self.now_s + recorded.length_s, lambda: None)
+        silent = partial(self._parts.cycle.unclear, "", "noise")
+        self.at(self.now_s + recorded.length_s, (lambda: None) if recorded.said else silent)
 
     def at(self, when_s: float, act: Callable[[], None]) -> None:
         """Do it when that time comes."""
@@ -140,8 +141,8 @@ class Stage:
 
     def _heard(self, event: HearingEvent) -> None:
         match event:
-            case StopWord(word=word):
-                self._parts.cycle.stop(f"heard {word}")
+            case StopWord():
+                self._parts.cycle.stop("spotted")
                 self._tick()
             case Heard():
                 utterance = Utterance(
@@ -149,7 +150,7 @@ class Stage:
                 )
                 self.hear(utterance, "heard")
             case NotHeard(text=text, reason=reason):
-                self._emit(ev.NotUnderstood(t=self.now_s, text=text, reason=reason))
+                self._parts.cycle.unclear(text, reason)
 
     def _begin(self) -> None:
         config = Config(robot=Robot(uri="sim://forklift"), mind=MindPart(seed=self._seed))
