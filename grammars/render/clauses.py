@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 from typing import Final
 
-from grammars.morphology import article, comparative, third_person
+from grammars.morphology import article, comparative, past, third_person
 from grammars.render.deeds import be, deed
 from grammars.render.telling import SAYING, Telling, is_predicate, linked, word
 from grammars.render.things import (
@@ -95,7 +95,8 @@ def _doing(telling: Telling, term: Term, adverb: str) -> Clause:
     verb = "does" if third else "do"
     if term.negated:
         return Clause(subject, verb, f"{adverb}{verb} not {done}", f"{adverb}not {done}")
-    return Clause(subject, verb, adverb + (third_person(done) if third else done), adverb + done)
+    stated = past(done) if "teach" in term.lex else third_person(done) if third else done
+    return Clause(subject, verb, adverb + stated, adverb + done)
 
 
 def _picked_out(telling: Telling, name: str) -> bool:
