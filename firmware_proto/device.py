@@ -145,9 +145,8 @@ class Device:
 
     def _hello(self, frame: Frame) -> None:
         opened_by = (frame.session, frame.seq)
-        if (
-            opened_by != self._opened_by
-        ):  # else a repeat, possibly a late one: answer, and disturb nothing
+        # else it is a repeat, possibly a late one: answer, and disturb nothing
+        if opened_by != self._opened_by:
             self._opened_by = opened_by
             self._session, self._last_seq = frame.session, frame.seq
             self._answer = self._lease_until_s = None
