@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import dataclass
 
+from rich.box import SIMPLE_HEAD
 from rich.table import Table
 from rich.text import Text
 
@@ -67,7 +68,7 @@ def same(said: str, heard: str, vocabulary: Vocabulary) -> bool:
 
 def table(results: Iterable[Result]) -> Table:
     """Expected and actual outcome of every line."""
-    rows = Table(title="expected and actual", title_justify="left", show_lines=False, expand=True)
+    rows = Table(box=SIMPLE_HEAD, expand=True)
     rows.add_column("", width=4)
     rows.add_column("line", ratio=4)
     rows.add_column("expected", ratio=5)
