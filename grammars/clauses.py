@@ -69,7 +69,11 @@ def clause(build: Build, part: AList, subject: str = "") -> str:
 def _exists(build: Build, exists: AList) -> str:
     """ "There is something close": the quality of the thing, or its kind, is the predicate."""
     before = len(build.board)
-    name = build.thing(exists.first("np"))
+    if (counted := exists.find("counted")) is not None:
+        name = build.thing(AList("np", counted.parts[1:]))
+        build.add("cnt", literal=counted.slot("num"), cnt=name)
+    else:
+        name = build.thing(exists.first("np"))
     if build.negative:
         raise NoMeaningError(str(exists))
     said = [build.sketch.terms[n] for n in build.board[before:] if build.sketch.terms[n].links]

@@ -30,6 +30,7 @@ BELIEF: Final = {
     "generally": 0.8,
     "normally": 0.8,
     "often": 0.8,
+    "most": 0.8,
     "typically": 0.8,
     "mostly": 0.8,
     "probably": 0.7,

@@ -17,10 +17,8 @@ NEAR_ENOUGH: Final = (
 SHORTEST: Final = 3  # letters of a word that may be a typo
 
 
-def near_words(
-    word: str, words: Sequence[str], common: Container[str] = frozenset()
-) -> list[str]:
-    """Words one slip away (a letter too many, too few, wrong, or two swapped), likeliest first, at most three.
+def near_words(word: str, words: Sequence[str], common: Container[str] = frozenset()) -> list[str]:
+    """Words one slip away (a letter too many, too few, wrong, or two swapped), likeliest first, at most four.
 
     Args:
         word: as typed.
@@ -29,9 +27,9 @@ def near_words(
     """
     if len(word) < SHORTEST:
         return []
-    found = process.extract(word, words, scorer=OSA.distance, score_cutoff=1, limit=30)
-    near = [other for other, distance, _ in found if distance == 1 and len(other) >= SHORTEST]
-    return sorted(near, key=lambda other: (*_slip(word, other), other not in common, other))[:3]
+    found = process.extract(word, words, scorer=OSA.distance, score_cutoff=1, limit=None)
+    near = {other for other, distance, _ in found if distance == 1 and len(other) >= SHORTEST}
+    return sorted(near, key=lambda other: (*_slip(word, other), other not in common, other))[:4]
 
 
 def _slip(typed: str, meant: str) -> tuple[int, int]:

@@ -51,7 +51,7 @@ WHOLE: Final = {
 ENDINGS: Final = {"'m": "am", "'re": "are", "'ve": "have", "'ll": "will", "'d": "would"}
 # "it's" and "what's" are never possessives; other words with 's may be.
 IS_ONLY: Final = frozenset(
-    "it that there he she what where who how here when why this everything".split()
+    "it that there he she name what where who how here when why this everything".split()
 )
 SMALL: Final = {
     word: value

@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from grammars.alist import AList
-from grammars.build import OWNING, Build, NoMeaningError
+from grammars.build import Build, NoMeaningError
 from grammars.clauses import clause
 from grammars.registry import sentence_form
+from grammars.things import OWNING
 from kernel.memory.meaning import Fact
 from kernel.net.graphlet import Graphlet, Term
 
@@ -53,12 +54,15 @@ def _check_subject(said: AList) -> None:
     subject = said.find("np", "base_np")
     if subject is None:
         return
-    bare = not any(subject.has(p) for p in ("name", "det", "own", "owner", "pron", "vague"))
-    if (
-        bare
+    known = ("name", "det", "own", "owner", "pron", "vague")
+    vague = subject.slot("vague")
+    generic = (
+        not any(subject.has(part) for part in known)
         or subject.slot("det") in ("a", "an", "any", "no")
-        or subject.slot("pron") in ("i", "me")
-    ):
+        or vague.startswith(("any", "every"))
+        or (vague and pred is not None and pred.has("kindof"))
+    )
+    if generic or subject.slot("pron") in ("i", "me"):
         raise NoMeaningError(str(said))
 
 

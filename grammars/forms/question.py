@@ -123,6 +123,15 @@ def _color(build: Build, body: AList) -> Question:
     return Question("what", build.graphlet(hq), hq)
 
 
+def _how_much(build: Build, body: AList) -> Question:
+    """ "How far is the wall": the degree of the quality is wanted."""
+    np = body.find("np")
+    thing = build.oneself("you") if np is None else build.thing(np)
+    hq = build.add("hq", body.slot("hq"), hq=thing)
+    wanted = build.add("deg", deg=hq)
+    return Question("how", build.graphlet(hq), wanted)
+
+
 def _owned(_: Build, body: AList) -> AList:
     owner = body.find("owner")
     if owner is not None:
@@ -216,6 +225,7 @@ SO: Final[dict[str, Callable[[Build, AList], Question]]] = {
     "what": _what,
     "holding": _holding,
     "color": _color,
+    "how_much": _how_much,
     "who": _who,
     "whose": _whose,
     "where": _where,

@@ -43,8 +43,9 @@ def rule(alist: AList) -> Teach:
     if {n for n in then.mentioned if n.startswith("obj")}.isdisjoint(condition_.mentioned):
         raise NoMeaningError("the conclusion is about something else")
     then = Graphlet(tuple(term for term in then if term.name not in described), then.main)
-    hedge = alist.slot("hedge") or said.slot("hedge") or (said.slot("may") and "may")
-    rule_ = Rule(condition_, then, exception(build, alist), belief(hedge or ""))
+    hedges = [part.slot("hedge") for part in (alist, generic, said) if part is not None]
+    hedge = next(filter(None, hedges), said.slot("may") and "may")
+    rule_ = Rule(condition_, then, exception(build, alist), belief(hedge))
     return Teach("rule", rule_)
 
 

@@ -12,7 +12,14 @@ from kernel.memory.meaning import Teach
 
 @pytest.mark.parametrize(
     ("words", "value"),
-    [("", 1.0), ("could", 0.8), ("might", 0.6), ("should", 1.0), ("must", 1.1), ("must always", 1.2)],
+    [
+        ("", 1.0),
+        ("could", 0.8),
+        ("might", 0.6),
+        ("should", 1.0),
+        ("must", 1.1),
+        ("must always", 1.2),
+    ],
 )
 def test_strength_of_advice(words: str, value: float) -> None:
     assert preference(words) == value
@@ -25,7 +32,14 @@ def test_strength_of_advice(words: str, value: float) -> None:
 
 @pytest.mark.parametrize(
     ("word", "value"),
-    [("definitely", 1.0), ("", 1.0), ("usually", 0.8), ("probably", 0.7), ("sometimes", 0.5), ("rarely", 0.2)],
+    [
+        ("definitely", 1.0),
+        ("", 1.0),
+        ("usually", 0.8),
+        ("probably", 0.7),
+        ("sometimes", 0.5),
+        ("rarely", 0.2),
+    ],
 )
 def test_how_sure_a_rule_is(word: str, value: float) -> None:
     assert belief(word) == value

@@ -24,14 +24,27 @@ def test_cha_cha_is_the_papers_operator() -> None:
 
 def test_the_prohibition_is_the_papers_operator() -> None:
     text = net("You should never grab a person but instead say I'm not allowed to.")
-    for piece in ("trig: ANTE[", "-lex- grab", "-lex- person", "-str- I'm not allowed to", "PUNT[ ]"):
+    for piece in (
+        "trig: ANTE[",
+        "-lex- grab",
+        "-lex- person",
+        "-str- I'm not allowed to",
+        "PUNT[ ]",
+    ):
         assert piece in text
     assert "FIND[" not in text
 
 
 def test_the_veto_on_rick_matches_any_act_he_orders() -> None:
     text = net("If Rick tells you to do something don't but instead complain.")
-    for piece in ("trig: ANTE[", "-cmd->", "-lex- tell", "-lex- rick", "-lex- you", "-lex- complain"):
+    for piece in (
+        "trig: ANTE[",
+        "-cmd->",
+        "-lex- tell",
+        "-lex- rick",
+        "-lex- you",
+        "-lex- complain",
+    ):
         assert piece in text
     assert "-lex- do" not in text
 
@@ -132,7 +145,10 @@ def test_and_is_one_play_and_then_binds_looser() -> None:
         ("Say coming through as you drive forward.", "coming through"),
         ("say thank you after you release the ball", "thank you"),
         ('tell mary "lunch is ready".', "lunch is ready"),
-        ("say to janey the truck will be here in ten minutes", "the truck will be here in ten minutes"),
+        (
+            "say to janey the truck will be here in ten minutes",
+            "the truck will be here in ten minutes",
+        ),
     ],
 )
 def test_quoted_speech_is_taken_as_said(text: str, quote: str) -> None:

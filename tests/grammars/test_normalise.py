@@ -47,7 +47,9 @@ def test_normal_form(text: str, normal: str) -> None:
 
 
 def test_stammering_is_removed_but_not_from_numbers() -> None:
-    assert [p.text for p in without_repeats(pieces("turn turn left 5 5"))] == "turn left 5 5".split()
+    assert [
+        p.text for p in without_repeats(pieces("turn turn left 5 5"))
+    ] == "turn left 5 5".split()
 
 
 def test_the_speaker_corrects_himself() -> None:

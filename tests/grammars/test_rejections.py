@@ -27,7 +27,17 @@ def test_it_is_not_understood(line: str) -> None:
 
 @pytest.mark.parametrize(
     "text",
-    ["", "   ", "...", "turn left\x00", "turn\x1b[2Jleft", "turn " * 61, "x" * 5000, "\ud800", "右に曲がれ"],
+    [
+        "",
+        "   ",
+        "...",
+        "turn left\x00",
+        "turn\x1b[2Jleft",
+        "turn " * 61,
+        "x" * 5000,
+        "\ud800",
+        "右に曲がれ",
+    ],
 )
 def test_what_is_no_sentence_is_refused(text: str) -> None:
     with pytest.raises(NotUnderstoodError):
@@ -68,6 +78,6 @@ def test_what_was_understood_and_what_would_work_is_told() -> None:
         parse("turn left the if")
     assert caught.value.understood.startswith("turn left")
     with pytest.raises(NotUnderstoodError) as caught:
-        parse("grab the block then back")
+        parse("grab the block then up of")
     assert caught.value.nearest is not None
     parse(caught.value.nearest)

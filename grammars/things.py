@@ -1,0 +1,299 @@
+"""Things into nets: what a noun phrase means, and what is said of a thing. docs/net.md is the law here.
+
+In a pattern (a trigger, a condition) things are described by terms of that pattern; elsewhere a thing is looked up,
+and a FIND graphlet for it waits in `finds`. A thing mentioned twice in a sentence ("it", "the person") is the same
+node.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass, field
+from typing import Any, Final
+
+from grammars.alist import AList
+from kernel.net.graphlet import Graphlet, Sketch, Term
+
+
+class NoMeaningError(Exception):
+    """A reading that the grammar allows and the net has no room for; the next reading is tried."""
+
+
+SELF: Final = {"you": "you", "yourself": "you", "me": "me", "i": "me"}
+SELF_OWN: Final = {"my": "me", "your": "you"}
+OWNING: Final = {"his": "he", "her": "she", "its": "it", "their": "they", "our": "we"}
+PERSONAL: Final = frozenset("him her he she".split())
+PERSON_WORDS: Final = frozenset("someone somebody anyone anybody nobody".split()) | {
+    "someone else",
+    "no one",
+}
+NOBODY: Final = frozenset(("nothing", "nobody", "no one"))
+PERSONS: Final = frozenset(
+    "person man woman boy girl child kid baby human guest visitor stranger friend neighbor owner".split()
+)
+ANY_KIND: Final = frozenset(("thing", "object", "item", "stuff"))
+REFS: Final = {"the": "the", "this": "this", "that": "that", "these": "this", "those": "that"}
+PLACES: Final = {
+    "to the left of": "left of",
+    "on the left of": "left of",
+    "on the left side of": "left of",
+    "to the right of": "right of",
+    "on the right of": "right of",
+    "on the right side of": "right of",
+    "close to": "near",
+    "near to": "near",
+    "beside": "next to",
+    "inside": "in",
+    "inside of": "in",
+    "in back of": "behind",
+    "underneath": "under",
+    "beneath": "under",
+    "on top of": "on",
+}
+
+
+@dataclass
+class Thing:
+    """Something mentioned: its node and what it was called, for later "it" and "the block"."""
+
+    name: str
+    kind: str = ""
+    person: bool = False
+
+
+@dataclass
+class Things:
+    """The drawing of one sentence: its things.
+
+    Attributes:
+        sketch: all terms.
+        board: names of the terms of the graphlet being drawn.
+        pattern: things are described on the board instead of looked up.
+        finds: look-ups not yet placed into a chain.
+        things: what was mentioned, oldest first.
+        telling: a fact is being told: "a hat" is a new thing and not looked up.
+        negative: the clause being drawn had "nothing" or "nobody" in it.
+    """
+
+    sketch: Sketch = field(default_factory=Sketch)
+    board: list[str] = field(default_factory=list)
+    pattern: bool = False
+    finds: list[Graphlet] = field(default_factory=list)
+    things: list[Thing] = field(default_factory=list)
+    negative: bool = False
+    telling: bool = False
+
+    @contextmanager
+    def drawing(self, pattern: bool) -> Iterator[list[str]]:
+        """A fresh board."""
+        before = self.board, self.pattern
+        self.board, self.pattern = [], pattern
+        yield self.board
+        self.board, self.pattern = before
+
+    def add(self, kind: str, *lex: str, **more: Any) -> str:
+        """Add a term to the sketch and to the board."""
+        return self.put(self.sketch.add(kind, *lex, **more))
+
+    def put(self, name: str) -> str:
+        """Put a term on the board."""
+        if name not in self.board:
+            self.board.append(name)
+        return name
+
+    def graphlet(self, main: str) -> Graphlet:
+        """What is on the board; a thing of which nothing is said ("something") needs no term."""
+        terms = self.sketch.terms
+        said = [name for name in self.board if terms[name] != Term(name)]
+        return self.sketch.graphlet(main, *said)
+
+    def thing(self, np: AList, person: bool = False) -> str:
+        """Node of the thing a noun phrase means."""
+        if np.value is not None and np.name == "np":
+            raise NoMeaningError(str(np))
+        pron = np.slot("pron")
+        if pron in SELF:
+            return self.oneself(SELF[pron])
+        if pron:
+            return self.pronoun(pron)
+        det, kind = np.slot("det"), np.slot("ako") or np.slot("akos")
+        if det in ("the", "that", "this") and (same := self._same(np, kind)):
+            return same
+        return self._described(np, det, kind, person)
+
+    def oneself(self, who: str) -> str:
+        """Node of the robot ("you") or the speaker ("me")."""
+        for name, term in self.sketch.terms.items():
+            if term.lex == {who} and term.kind == "obj":
+                return self.put(name)
+        return self.add("obj", who)
+
+    def pronoun(self, word: str) -> str:
+        """The newest thing mentioned that fits, else one to be looked up."""
+        personal = word in PERSONAL
+        for thing in reversed(self.things):
+            if thing.person or not personal or not thing.kind:
+                thing.person = thing.person or personal
+                return thing.name
+        ref = {"him": "he", "her": "she", "them": "they"}.get(word, word)
+        with self._own_board():
+            name = self.add("obj", ref=ref)
+            self._mention(Thing(name, person=personal))
+        return name
+
+    def _same(self, np: AList, kind: str) -> str | None:
+        """Earlier thing of this sentence that "the block" takes up again."""
+        if not kind or any(np.has(part) for part in ("qual", "rel", "own", "owner", "sub")):
+            return None
+        return next((t.name for t in reversed(self.things) if t.kind == kind), None)
+
+    @contextmanager
+    def _own_board(self, here: bool = False) -> Iterator[None]:
+        """A board of its own for a thing that is looked up; none where a pattern is drawn or the thing is new."""
+        if self.pattern or here:
+            yield
+            return
+        before, self.board = self.board, []
+        yield
+        main, *more = self.board
+        self.finds.append(self.sketch.graphlet(main, *more))
+        self.board = before
+
+    def _mention(self, thing: Thing) -> None:
+        self.things.append(thing)
+
+    def _described(self, np: AList, det: str, kind: str, person: bool) -> str:
+        vague, called = np.slot("vague"), np.slot("name")
+        if vague in NOBODY or det == "no":
+            self.negative = True
+        ref = "one" if np.has("one") else REFS.get(det, "")
+        person = bool(called) or person or kind in PERSONS or vague in PERSON_WORDS
+        new = self.telling and not called and not ref and not (np.has("own") or np.has("owner"))
+        with self._own_board(here=new):
+            name = self.add("obj", *([called] if called else []), ref=ref)
+            if kind and (kind not in ANY_KIND or ref):
+                self.kind(name, kind, np.slot("sub"))
+            if vague in PERSON_WORDS:
+                self.kind(name, "person")
+            for qual in np.all("qual"):
+                self.quality(name, qual)
+            self.possessed(name, np)
+            for rel in np.all("rel"):
+                self.relative(name, rel)
+        self._mention(Thing(name, kind, person))
+        return name
+
+    def kind(self, name: str, kind: str, sub: str = "", negated: bool = False) -> str:
+        """Say of what kind a thing is; the node of that."""
+        ako = self.add("ako", kind, ako=name, negated=negated)
+        if sub:
+            self.add("sub", sub, sub=ako)
+        return ako
+
+    def quality(self, name: str, qual: AList, negated: bool = False) -> str:
+        """Say of what quality a thing is, in what degree; the node of that."""
+        word = (
+            qual.slot("hq")
+            or qual.slot("more")
+            or qual.slot("most")
+            or qual.slot("ord")
+            or qual.value
+            or ""
+        )
+        hq = self.add("hq", word, hq=name, negated=negated)
+        for deg in qual.all("deg"):
+            self.add("deg", deg.value or "", deg=hq)
+        if qual.has("more"):
+            self.add("deg", "more", deg=hq)
+        if qual.has("most") or qual.has("most_of"):
+            self.add("deg", "most", deg=hq)
+        return hq
+
+    def possessed(self, name: str, np: AList) -> str:
+        """Say whose a thing is, if the phrase says so; the node of that, or ""."""
+        own, owner = np.slot("own"), np.find("owner")
+        if own in SELF_OWN:
+            return self.add("own", own=name, of=self.oneself(SELF_OWN[own]))
+        if own:
+            return self.add("own", own=name, of=self.pronoun(OWNING[own]))
+        if owner is not None:
+            return self.add("own", own=name, of=self.thing(owner, person=True))
+        return ""
+
+    def relative(self, name: str, rel: AList) -> None:
+        """Narrow a thing down: "that is not blue", "next to the wall", "on the left", "called Pookie"."""
+        if rel.has("name"):
+            self.sketch.change(name, lex=frozenset({rel.slot("name")}))
+        elif (pred := rel.find("pred")) is not None:
+            self.predicate(name, pred, rel.has("neg"))
+        elif rel.has("loc") or rel.has("side"):
+            self.predicate(name, rel, negated=False)
+        elif rel.has("going") or rel.has("has_it"):
+            self._doing(name, rel)
+        elif (seen := rel.find("seen_by")) is not None:
+            verb = seen.slot("states") or seen.slot("state")
+            self.add("act", verb, agt=self._seer(seen), obj=name)
+        elif rel.has("gerund"):
+            self.add("act", rel.slot("gerund"), agt=self.oneself("you"), obj=name)
+        else:
+            raise NoMeaningError(str(rel))
+
+    def _seer(self, seen: AList) -> str:
+        """Who sees, has or likes the thing: "the ball you see", "the cup Mary has"."""
+        if seen.has("name"):
+            return self.thing(seen, person=True)
+        return self.oneself("me" if seen.has("me") else "you")
+
+    def _doing(self, name: str, rel: AList) -> None:
+        """What a thing does or has: "who is holding a cup", "that has wheels"."""
+        going = rel.find("going") or rel
+        links = {"agt": name}
+        if (obj := going.find("np")) is not None:
+            links["obj"] = self.thing(obj)
+        verb = "have" if rel.has("has_it") else going.slot("gerund") or going.value or ""
+        self.add("act", verb, **links)
+
+    def predicate(self, name: str, pred: AList, negated: bool) -> str:
+        """Say something of a thing; the node of the predicate."""
+        if pred.has("qual"):
+            main, *_ = [self.quality(name, part, negated) for part in pred.all("qual")]
+            return main
+        if (kindof := pred.find("kindof")) is not None:
+            return self._kind_of(name, kindof, negated)
+        if (loc := pred.find("loc")) is not None:
+            return self.place("loc", name, loc, negated)
+        if (side := pred.find("side")) is not None:
+            return self.add("loc", side.slot("dir") or side.value or "", loc=name, negated=negated)
+        if (compared := pred.find("compared")) is not None:
+            word = compared.slot("adjer") or compared.slot("hq")
+            other = self.thing(compared.first("np"))
+            return self.add("hq", word, hq=name, than=other, negated=negated)
+        if (called := pred.find("isname")) is not None:
+            self.sketch.change(name, lex=frozenset((called.slot("name"),)))
+            return self.put(name)
+        if pred.has("here"):
+            return self.add(
+                "loc", "in front of", loc=name, wrt=self.oneself("you"), negated=negated
+            )
+        if (belongs := pred.find("belongs")) is not None:
+            return self.add("own", own=name, of=self.thing(belongs, person=True), negated=negated)
+        raise NoMeaningError(str(pred))
+
+    def _kind_of(self, name: str, kindof: AList, negated: bool) -> str:
+        kind = kindof.slot("ako") or kindof.slot("akos")
+        for qual in kindof.all("qual"):
+            self.quality(name, qual, negated and not kind)
+        if not kind:
+            raise NoMeaningError(str(kindof))
+        node = self.kind(name, kind, kindof.slot("sub"), negated)
+        if (of := kindof.find("np")) is not None:
+            self.add("own", own=name, of=self.thing(of, person=True))
+        self.possessed(name, kindof)
+        return node
+
+    def place(self, role: str, name: str, loc: AList, negated: bool = False) -> str:
+        """Say where something is or is done; the node of that."""
+        word = loc.slot("prep") or "between"
+        marks = [self.thing(np) for np in loc.all("np")]
+        return self.add("loc", PLACES.get(word, word), negated=negated, loc=name, wrt=marks)
