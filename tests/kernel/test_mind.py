@@ -324,8 +324,7 @@ def test_memory_is_bounded_over_two_thousand_commands(make_robot: Any) -> None:
     sizes = []
     for number in range(2000):
         robot.command("DO[ act-1 -lex- salute ]" if number % 2 else "DO[ act-1 -lex- dance ]")
-        robot.tick(0.3)
-        robot.tick(0.3)
+        robot.tick(0.6)
         if number % 500 == 499:
             robot.pass_time(3)
             sizes.append(len(robot.mind.memory.net))

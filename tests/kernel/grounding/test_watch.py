@@ -109,7 +109,8 @@ def test_what_is_sensed_can_be_reacted_to_once(
 
 def test_close_is_not_very_close(robot: Any) -> None:
     robot.teach(
-        f"trig: NOTE[ hq-1 -lex- close; -hq-> obj-2; deg-3 -lex- very; -deg-> hq-1 ]; pref: 1.0; ---; {SAY.format('oh')}"
+        "trig: NOTE[ hq-1 -lex- close; -hq-> obj-2; deg-3 -lex- very; -deg-> hq-1 ];"
+        f"pref: 1.0; ---; {SAY.format('oh')}"
     )
     robot.feel(range_m=0.10)
     robot.pass_time(1)

@@ -82,7 +82,7 @@ def as_set(bindings: Iterator[Binding]) -> list[list[tuple[str, str]]]:
     return sorted(sorted((name, node.name) for name, node in b.items()) for b in bindings)
 
 
-@settings(max_examples=80)
+@settings(max_examples=50)
 @given(memories(), patterns(), st.sampled_from((WORKING, BAND_1, BAND_2, REMEMBERED)),
        st.sampled_from((0.0, 0.5)), st.booleans())  # fmt: skip
 def test_it_finds_exactly_what_an_exhaustive_search_finds(
@@ -133,3 +133,13 @@ def test_a_literal_has_to_be_the_same_and_denial_too() -> None:
     assert not holds(
         Graphlet((Term("amt-1", frozenset({"inch"}), negated=True),), "amt-1"), net, WORKING
     )
+
+
+def test_names_that_are_only_linked_to_are_different_things_too() -> None:
+    net = Net()
+    someone = net.new("obj")
+    net.new("act", "wash", agt=someone, obj=someone)
+    term = Term("act-1", frozenset({"wash"}), links=(("agt", "obj-2"), ("obj", "obj-3")))
+    assert not holds(Graphlet((term,), "act-1"), net, WORKING)
+    net.new("act", "wash", agt=someone, obj=net.new("obj"))
+    assert len(list(matches(Graphlet((term,), "act-1"), net, WORKING))) == 1
