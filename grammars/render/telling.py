@@ -37,7 +37,7 @@ class Telling:
         claims: graphlets that are told as clauses only ("if it is Rick"); their terms are kept out of noun phrases.
         voice: who tells it.
         mentioned: things spoken of, in order of first mention, with the kind they were called by ("" for "something"):
-            "it" is the last one, "the block" the last one called a block (grammars/build.py).
+            "it" is the last one, "the block" the last one called a block (grammars/things.py).
         stated: predicates already told, or kept back to be told as a clause.
     """
 

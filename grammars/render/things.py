@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from typing import Final, Literal
 
-from grammars.build import PERSONS
 from grammars.morphology import article, comparative, gerund, plural, superlative
 from grammars.render.telling import Telling, linked, word
+from grammars.things import PERSONS
 from kernel.net.graphlet import Term
 
 Case = Literal["subject", "object", "possessive"]

@@ -72,7 +72,7 @@ class Draft:
         sort = self.one_of("name", "something", "described", "described", "described")
         if sort == "name" or not self.kinds:
             return self.add("obj", self.one_of(*NAMES))
-        if sort == "something":
+        if sort == "something" and articles != "the":
             return self.add("obj")
         ref = {"both": self.one_of("", "the"), "a": "", "the": "the"}[articles]
         thing = self.add("obj", ref=ref)
@@ -239,8 +239,7 @@ def _rule(draft: Draft) -> Meaning:
 
 def _fact(draft: Draft) -> Meaning:
     thing = draft.looked_up("the")
-    finds = tuple(g for g in draft.finds if len(g.terms) > 1 or g.term(g.main).lex)
-    return Fact(draft.graphlet(draft.statement(thing)), finds)  # "something" is new, not looked up
+    return Fact(draft.graphlet(draft.statement(thing)), tuple(draft.finds))
 
 
 commands = _with(lambda draft: Command(draft.chain()))
