@@ -10,6 +10,7 @@ from firmware_proto.told import Settled
 from kernel.action.call import Bid, BodyState, MoveFailure
 from kernel.bodies.forklift import figures
 from kernel.bodies.forklift.servo import Servo
+from kernel.bodies.forklift.stall import Stall
 from kernel.bodies.forklift.wheels import Wheels
 from kernel.bodies.registry import Body, body
 
@@ -30,6 +31,7 @@ class Forklift(Body):
         self._lift, self._grip = Servo(Lift), Servo(Grip)
         self._connected = False
         self._last: Telem | None = None
+        self._stall = Stall()
         self._x_m = self._y_m = self._heading_rad = 0.0
         self._ended: dict[int, MoveFailure | None] = {}
         self._telling: set[int] = set()
@@ -113,6 +115,8 @@ class Forklift(Body):
         self._x_m += (left + right) / 2 * math.cos(middle)
         self._y_m += (left + right) / 2 * math.sin(middle)
         self._heading_rad += turn
+        if self._stall.update((left + right) / 2, turn, figures.range_m(after.range_adc)):
+            self._wheels.stall()
 
     def _state(self, now_s: float) -> BodyState:
         last = self._last

@@ -143,6 +143,12 @@ class Wheels:
             self._end(motion, why)
         self._run = None
 
+    def stall(self) -> None:
+        """They turn and get nowhere: what runs has failed, and they come to rest."""
+        if self._run is not None:
+            self._fail(self._run, "stuck")
+            self._stray = STRAY_REPORTS
+
     # ---- one run --------------------------------------------------------------------------------------------
 
     def _motion(self, bid: Bid) -> _Motion:
