@@ -212,6 +212,7 @@ class App:
             self._cycle.step(now_s)
             if self._cycle.failures == 0:
                 self._notifier.advanced(now_s)
+            self._ears.refresh()
             if self._settling and self._cycle.settled:
                 settling, self._settling = self._settling, []
                 for future in settling:

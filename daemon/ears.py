@@ -1,11 +1,14 @@
-"""What the daemon hears: sound files, on request or as its source, played at their own pace."""
+"""What the daemon hears: sound files, on request or as its source, at the pace they were spoken."""
 
 from __future__ import annotations
 
 import asyncio
 from collections.abc import Callable
+from dataclasses import dataclass, field
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Final
+
+import platformdirs
 
 from daemon.aside import Aside
 from daemon.clock import Clock
@@ -15,9 +18,22 @@ from daemon.loop import Cycle
 from kernel.memory.meaning import Utterance
 
 if TYPE_CHECKING:
-    from daemon.virtual_ear import Recorded, VirtualEar
+    from daemon.hearing.recogniser import Samples
+    from daemon.listening import Listening
+
+MODELS: Final = "models"  # folder of installed models, in the user's data directory
 
 Submit = Callable[[Utterance, str], asyncio.Future[None]]
+
+
+@dataclass(slots=True)
+class _Playing:
+    """A recording being heard."""
+
+    speaker: str
+    source: str
+    utterances: int = 0
+    taken: list[asyncio.Future[None]] = field(default_factory=list)
 
 
 class Ears:
@@ -31,9 +47,12 @@ class Ears:
 
     def __init__(self, hearing: Hearing, cycle: Cycle, submit: Submit) -> None:
         self._hearing, self._cycle, self._submit = hearing, cycle, submit
-        self._ear: VirtualEar | None = None
+        self._loop = asyncio.get_running_loop()
+        self._aside = Aside("files")
+        self._listening: Listening | None = None
+        self._known = cycle.vocabulary
+        self._playing = _Playing("", "heard")
         self._one_at_a_time = asyncio.Lock()
-        self._aside = Aside("ears")
 
     async def serve(self) -> None:
         """Hear the configured source to its end; typed: there is nothing to hear."""
@@ -41,47 +60,71 @@ class Ears:
             await self.play(Path(self._hearing.source), "", "heard")
 
     async def play(self, path: Path, speaker: str, source: str) -> None:
-        """Hear a file; what is in it happens at the time its sound has.
+        """Hear a file; ends when nothing of it is left to be decided.
 
         Raises:
             ValueError: the file cannot be heard, or the recogniser cannot be used.
         """
+        samples = await self._aside.run(_read, path)
         async with self._one_at_a_time:
-            began_s = asyncio.get_running_loop().time()
-            recorded = await self._aside.run(self._transcribe, path)
-            if not recorded.said:
+            listening = await self._ready()
+            self._playing = playing = _Playing(speaker, source)
+            await listening.play(samples)
+            await asyncio.gather(*playing.taken)
+            if playing.utterances == 0:
                 self._cycle.unclear("", "noise")
-            for known_s, event in recorded.events:
-                late_s = asyncio.get_running_loop().time() - began_s - known_s
-                await asyncio.sleep(max(0.0, -late_s))
-                await self._perceive(event, speaker, source)
+
+    def refresh(self) -> None:
+        """Hand words that were learned to the recogniser; it takes them between two utterances."""
+        if self._listening is not None and self._cycle.vocabulary is not self._known:
+            self._known = self._cycle.vocabulary
+            self._listening.know(self._known)
 
     def close(self) -> None:
         """End the recogniser; does not wait for it."""
-        self._aside.run(self._end)
         self._aside.close()
+        if self._listening is not None:
+            self._listening.close()
 
-    def _end(self) -> None:
-        if self._ear is not None:
-            self._ear.close()
-
-    def _transcribe(self, path: Path) -> Recorded:
+    async def _ready(self) -> Listening:
+        from daemon.hearing.choice import choose_engine
         from daemon.hearing.recogniser import EngineError
-        from daemon.hearing.recording import RecordingError
-        from daemon.virtual_ear import VirtualEar
+        from daemon.listening import Listening
 
         try:
-            if self._ear is None:
-                self._ear = VirtualEar(self._hearing.engine, self._hearing.model)
-            return self._ear.hear(path, self._cycle.vocabulary)
-        except (RecordingError, EngineError) as error:
+            if self._listening is None:
+                folders = (platformdirs.user_data_path("sayso") / MODELS,)
+                engine = choose_engine(self._hearing.engine, self._hearing.model, folders)
+                self._known = self._cycle.vocabulary
+                self._listening = Listening(engine, self._known, self._from_the_ear)
+            await self._listening.ready()
+            self.refresh()
+        except EngineError as error:
+            self._listening = None
             raise ValueError(str(error)) from error
+        return self._listening
 
-    async def _perceive(self, event: HearingEvent, speaker: str, source: str) -> None:
+    def _from_the_ear(self, event: HearingEvent) -> None:
+        self._loop.call_soon_threadsafe(self._perceive, event)
+
+    def _perceive(self, event: HearingEvent) -> None:
+        playing = self._playing
         match event:
             case StopWord():
                 self._cycle.stop("spotted")
             case Heard(text=text, confidence=confidence):
-                await self._submit(Utterance(text, speaker, Clock.wall_s(), confidence), source)
+                utterance = Utterance(text, playing.speaker, Clock.wall_s(), confidence)
+                playing.utterances += 1
+                playing.taken.append(self._submit(utterance, playing.source))
             case NotHeard(text=text, reason=reason):
                 self._cycle.unclear(text, reason)
+                playing.utterances += 1
+
+
+def _read(path: Path) -> Samples:
+    from daemon.hearing import recording
+
+    try:
+        return recording.read(path)
+    except recording.RecordingError as error:
+        raise ValueError(str(error)) from error

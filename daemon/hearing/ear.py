@@ -57,6 +57,12 @@ class Ear:
         self._base_s = 0.0
         self._gate_s = -GATE_AFTER_S
         self._speaking = False
+        self._idle = True
+
+    @property
+    def idle(self) -> bool:
+        """All sound so far has been heard, nothing is being said and nothing waits to be finished."""
+        return self._idle
 
     def hear(self, samples: Samples) -> None:
         """Take a block of sound; never waits."""
@@ -67,6 +73,7 @@ class Ear:
             self._gate_s = self._heard_s
         gated = self._speaking or self._heard_s - self._gate_s < GATE_AFTER_S
         self._blocks.put_nowait(Sound(samples.tobytes(), gated))
+        self._idle = False
         self._heard_s += len(samples) / RATE_HZ
 
     def speaking(self, now: bool) -> None:
@@ -131,6 +138,7 @@ class Ear:
                             )
                         else:
                             self.events.put_nowait(shifted)
+                    self._idle = reply.idle and self._blocks.empty()
         finally:
             with suppress(ProcessLookupError):
                 process.kill()
