@@ -13,6 +13,7 @@ from dataclasses import dataclass, field
 from typing import Any, Final
 
 from grammars.alist import AList
+from grammars.vocabulary import BORN
 from kernel.net.graphlet import Graphlet, Sketch, Term
 
 
@@ -60,6 +61,12 @@ class Thing:
     name: str
     kind: str = ""
     person: bool = False
+    named: bool = False
+
+    @property
+    def settled(self) -> bool:
+        """It is known whether it is a person; "something" may be either."""
+        return self.person or self.named or bool(self.kind)
 
 
 @dataclass
@@ -133,7 +140,8 @@ class Things:
         """The newest thing mentioned that fits, else one to be looked up."""
         personal = word in PERSONAL
         for thing in reversed(self.things):
-            if thing.person or not personal or not thing.kind:
+            fits = thing.person if personal else not thing.named
+            if fits or not thing.settled:
                 thing.person = thing.person or personal
                 return thing.name
         ref = {"him": "he", "her": "she", "them": "they"}.get(word, word)
@@ -168,7 +176,8 @@ class Things:
         if vague in NOBODY or det == "no":
             self.negative = True
         ref = "one" if np.has("one") else REFS.get(det, "")
-        person = bool(called) or person or kind in PERSONS or vague in PERSON_WORDS
+        place = "PLACE" in BORN.readings(called)
+        person = (bool(called) and not place) or person or kind in PERSONS or vague in PERSON_WORDS
         new = self.telling and not called and not ref and not (np.has("own") or np.has("owner"))
         with self._own_board(here=new):
             name = self.add("obj", *([called] if called else []), ref=ref)
@@ -181,7 +190,7 @@ class Things:
             self.possessed(name, np)
             for rel in np.all("rel"):
                 self.relative(name, rel)
-        self._mention(Thing(name, kind, person))
+        self._mention(Thing(name, kind, person, bool(called)))
         return name
 
     def kind(self, name: str, kind: str, sub: str = "", negated: bool = False) -> str:

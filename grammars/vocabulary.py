@@ -102,6 +102,8 @@ def _born() -> Lexicon:
         ("UNIT", "units"),
         ("PREP", "prepositions"),
         ("PROPER", "names"),
+        ("PROPER", "places"),
+        ("PLACE", "places"),
         ("ORD", "ordinals"),
         ("GIVE", "givers"),
         ("MOTION", "motions"),

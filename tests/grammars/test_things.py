@@ -1,0 +1,45 @@
+"""What pronouns and repeated descriptions refer to within a sentence."""
+
+from __future__ import annotations
+
+import pytest
+
+from grammars.parse import parse
+from kernel.memory.notation import write_meaning
+
+
+def links_of_last_act(text: str) -> str:
+    """The written net, one space between words."""
+    return " ".join(" ".join(write_meaning(parse(text).meaning)).split())
+
+
+@pytest.mark.parametrize(
+    ("with_pronoun", "without"),
+    [
+        (
+            "grab the block next to mary then release it",
+            "grab the block next to mary then release the block",
+        ),
+        ("if mary sees a ball grab it", "if mary sees a ball grab the ball"),
+        ("if a person is from brazil grab him", "if a person is from brazil grab the person"),
+        ("if a child is near a box grab her", "if a child is near a box grab the child"),
+    ],
+)
+def test_a_pronoun_is_the_newest_thing_that_fits(with_pronoun: str, without: str) -> None:
+    assert links_of_last_act(with_pronoun) == links_of_last_act(without)
+
+
+def test_a_pronoun_without_antecedent_is_looked_up() -> None:
+    assert "-ref- it" in links_of_last_act("release it")
+    assert "-ref- she" in links_of_last_act("her name is janey")
+
+
+def test_mine_and_yours_are_swapped() -> None:
+    assert "-lex- me" in links_of_last_act("never touch my sneakers")
+    assert "-lex- you" in links_of_last_act("raise your lift")
+
+
+def test_a_new_thing_of_a_fact_is_not_looked_up() -> None:
+    text = links_of_last_act("Mary has a red hat.")
+    assert text.count("FIND[") == 1
+    assert text.index("mary") < text.index("hat")
