@@ -196,6 +196,7 @@ class Mind:
     def _arbitrate(self, now_s: float) -> tuple[Bid, ...]:
         """Rule on this tick's claims; those who wait too long, or are taken over too often, are struck."""
         commons = self._commons
+        commons.struck.clear()
         halts = [c for c in commons.claims if isinstance(c.bid.command, Halt)]
         motions = [c for c in commons.claims if c not in halts]
         if halts:
