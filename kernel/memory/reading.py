@@ -18,101 +18,104 @@ class Reader:
         self.left = list(tokens(text))[::-1]
 
     def content(self) -> Content:
+        """The whole text as one rule, operator or fact."""
         first = self.left[-1] if self.left else None
         if first is not None and first.kind == "section":
-            content: Content = self.rule() if first.text == "if" else self.operator()
+            content: Content = self._rule() if first.text == "if" else self._operator()
         else:
-            content = self.graphlet()
+            content = self._graphlet()
         self.end()
         return content
 
     def end(self) -> None:
+        """Raise NotationError if anything is left."""
         if self.left:
-            raise self.wrong("the end")
+            raise self._wrong("the end")
 
-    def rule(self) -> Rule:
-        condition = self.section("if")
-        unless = self.sections("unless")
-        conclusion = self.section("then")
-        return Rule(condition, conclusion, unless, self.number("belief"))
+    def _rule(self) -> Rule:
+        condition = self._section("if")
+        unless = self._sections("unless")
+        conclusion = self._section("then")
+        return Rule(condition, conclusion, unless, self._number("belief"))
 
-    def operator(self) -> Operator:
-        self.take("section", "trig")
-        trigger = self.directive()
-        enablement = self.sections("with")
-        unless = self.sections("unless")
-        preference = self.number("pref")
-        self.take("rule")
+    def _operator(self) -> Operator:
+        self._take("section", "trig")
+        trigger = self._directive()
+        enablement = self._sections("with")
+        unless = self._sections("unless")
+        preference = self._number("pref")
+        self._take("rule")
         return Operator(trigger, self.chain(), enablement, unless, preference)
 
-    def section(self, name: str) -> Graphlet:
-        self.take("section", name)
-        return self.graphlet()
+    def _section(self, name: str) -> Graphlet:
+        self._take("section", name)
+        return self._graphlet()
 
-    def sections(self, name: str) -> tuple[Graphlet, ...]:
+    def _sections(self, name: str) -> tuple[Graphlet, ...]:
         found = []
-        while self.next_is("section", name):
-            found.append(self.section(name))
+        while self._next_is("section", name):
+            found.append(self._section(name))
         return tuple(found)
 
-    def number(self, name: str) -> float:
-        self.take("section", name)
-        token = self.take("item")
+    def _number(self, name: str) -> float:
+        self._take("section", name)
+        token = self._take("item")
         if not re.fullmatch(r"\d+(\.\d+)?", token.text):
             raise NotationError(token.line, token.text, f"a number after {name}:")
         return float(token.text)
 
     def chain(self) -> Chain:
+        """The plays from here on."""
         plays = []
-        while self.next_is("open"):
-            if self.next_is("open", "PLAY{"):
-                self.take("open")
-                required = self.parts()
+        while self._next_is("open"):
+            if self._next_is("open", "PLAY{"):
+                self._take("open")
+                required = self._parts()
                 auxiliary: tuple[Directive | Chain, ...] = ()
-                if self.next_is("word"):
-                    self.take("word")
-                    auxiliary = self.parts()
-                self.take("close", "}")
+                if self._next_is("word"):
+                    self._take("word")
+                    auxiliary = self._parts()
+                self._take("close", "}")
                 plays.append(Play(required, auxiliary))
             else:
-                plays.append(Play((self.directive(),)))
+                plays.append(Play((self._directive(),)))
         return Chain(tuple(plays))
 
-    def parts(self) -> tuple[Directive | Chain, ...]:
+    def _parts(self) -> tuple[Directive | Chain, ...]:
         found: list[Directive | Chain] = []
-        while self.next_is("open"):
-            if self.next_is("open", "CHAIN{"):
-                self.take("open")
+        while self._next_is("open"):
+            if self._next_is("open", "CHAIN{"):
+                self._take("open")
                 found.append(self.chain())
-                self.take("close", "}")
+                self._take("close", "}")
             else:
-                found.append(self.directive())
+                found.append(self._directive())
         return tuple(found)
 
-    def directive(self) -> Directive:
-        token = self.take("open")
+    def _directive(self) -> Directive:
+        token = self._take("open")
         if not token.text.endswith("["):
             raise NotationError(token.line, token.text, "a directive such as DO[")
-        graphlet = self.graphlet() if self.next_is("item") else None
-        self.take("close", "]")
+        graphlet = self._graphlet() if self._next_is("item") else None
+        self._take("close", "]")
         return Directive(token.text[:-1], graphlet)
 
-    def graphlet(self) -> Graphlet:
+    def _graphlet(self) -> Graphlet:
         items = []
-        while self.next_is("item"):
+        while self._next_is("item"):
             items.append(self.left.pop())
         if not items:
-            raise self.wrong("a node, such as act-1 -lex- drive")
+            raise self._wrong("a node, such as act-1 -lex- drive")
         return read_terms(items)
 
-    def next_is(self, kind: str, text: str = "") -> bool:
+    def _next_is(self, kind: str, text: str = "") -> bool:
         return bool(self.left) and self.left[-1].kind == kind and text in ("", self.left[-1].text)
 
-    def take(self, kind: str, text: str = "") -> Token:
-        if not self.next_is(kind, text):
-            raise self.wrong(text or kind)
+    def _take(self, kind: str, text: str = "") -> Token:
+        if not self._next_is(kind, text):
+            raise self._wrong(text or kind)
         return self.left.pop()
 
-    def wrong(self, expected: str) -> NotationError:
+    def _wrong(self, expected: str) -> NotationError:
         token = self.left[-1] if self.left else Token("word", "", 0)
         return NotationError(token.line, token.text, expected)
