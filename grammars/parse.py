@@ -46,7 +46,7 @@ class Production:
 
     Attributes:
         origin: the rule's name.
-        symbols: rule names, categories and written-out words.
+        symbols: rule names, categories, and words in quotation marks.
     """
 
     origin: str
@@ -228,16 +228,16 @@ def _idioms() -> frozenset[tuple[str, ...]]:
 
 
 def productions() -> tuple[Production, ...]:
-    """Every rule, with words written out in rules as themselves; a set phrase is a rule of its category."""
-    words = {name: word for word, name in grammar().literal.items()}
+    """Every rule; a set phrase is a rule of its category."""
+    words = {name: f'"{word}"' for word, name in grammar().literal.items()}
     phrases = tuple(
-        Production(category, tuple(phrase.split()))
+        Production(category, tuple(f'"{word}"' for word in phrase.split()))
         for category, said in set_phrases().items()
         for phrase in said
     )
     return phrases + tuple(
         Production(
-            rule.origin.name,
+            str(rule.origin.name),
             tuple(words.get(s.name, s.name) if s.is_term else s.name for s in rule.expansion),
         )
         for rule in grammar().rules

@@ -112,6 +112,8 @@ def test_productions_are_closed() -> None:
     used = {symbol for rule in rules for symbol in rule.symbols}
     undefined = {symbol for symbol in used if symbol.startswith("_")} - origins
     assert undefined == {"_COMMA"}
+    terminals = used - origins
+    assert all(s.startswith('"') or s == "_COMMA" or s.isupper() for s in terminals)
 
 
 def test_loops_and_wishes_the_mind_cannot_do_are_not_understood() -> None:
