@@ -1,0 +1,98 @@
+"""Records and replies of the mind as events, fields in the units of the rehearsal."""
+
+from __future__ import annotations
+
+import math
+
+import pytest
+
+from daemon import events
+from daemon.telling import from_record, from_reply, pose
+from grammars.replies import Said
+from kernel.action.call import BodyState
+from kernel.action.trace import Record
+from kernel.memory.meaning import Question
+from kernel.memory.reply import Answer, Failed, Halted, Met, Reply
+from kernel.net.graphlet import Graphlet
+
+
+def test_a_pose_is_in_centimetres_degrees_and_permille() -> None:
+    state = BodyState(
+        x_m=0.2,
+        y_m=-0.015,
+        heading_rad=math.pi / 2,
+        lift=0.5,
+        grip=0.25,
+        holding=True,
+        range_m=0.04,
+    )
+    assert events.as_dict(pose(1.23456, state)) == {
+        "t": 1.235,
+        "event": "pose",
+        "x_cm": 20.0,
+        "y_cm": -1.5,
+        "heading_deg": 90.0,
+        "lift_permille": 500,
+        "grip_permille": 250,
+        "holding": True,
+        "range_cm": 4.0,
+    }
+
+
+@pytest.mark.parametrize(
+    ("record", "event"),
+    [
+        (
+            Record(
+                0.0, "action_started", 1, "dance", {"function": "base_turn", "words": ("left",)}
+            ),
+            events.ActionStarted(t=2.0, function="base_turn", words=("left",), utterance="dance"),
+        ),
+        (
+            Record(0.0, "prohibited", 1, "grab mary", {"by": "never grab", "text": "grab mary"}),
+            events.Prohibited(t=2.0, by="never grab", text="grab mary"),
+        ),
+        (
+            Record(0.0, "resource_lost", 1, "", {"resource": "wheels"}),
+            events.ResourceLost(t=2.0, resource="wheels"),
+        ),
+        (
+            Record(0.0, "error", 0, "", {"text": "attention is full"}),
+            events.Error(t=2.0, part="mind", text="attention is full"),
+        ),
+        (
+            Record(0.0, "sensed", 0, "", {"key": "close", "holds": True}),
+            events.Noted(t=2.0, what="sensed", text="key=close holds=True"),
+        ),
+    ],
+)
+def test_records(record: Record, event: events.Event) -> None:
+    assert from_record(record, 2.0) == event
+
+
+@pytest.mark.parametrize(
+    ("reply", "acknowledged", "ok"),
+    [
+        (Met("rick"), True, True),
+        (Halted(True), True, True),
+        (Failed(None, "no_way"), False, False),
+        (Answer(Question("yesno", Graphlet((), "hq-1")), "unknown"), False, False),
+        (Answer(Question("yesno", Graphlet((), "hq-1")), "no"), False, True),
+    ],
+)
+def test_replies(reply: Reply, acknowledged: bool, ok: bool) -> None:
+    told = list(from_reply(reply, Said("shown", "spoken"), 2.0))
+    assert [type(event) for event in told[:-1]] == [events.Acknowledged] * acknowledged
+    last = told[-1]
+    assert isinstance(last, events.Replied)
+    assert (last.ok, last.shown, last.spoken) == (ok, "shown", "spoken")
+
+
+def test_event_names_are_those_of_service_md() -> None:
+    named = {events.name(kind.__new__(kind)) for kind in events.Event.__subclasses__()}
+    internal = {"replied", "ended", "noted"}
+    assert named - internal == {
+        *("heard", "understood", "not_understood", "acknowledged", "question", "say_started"),
+        *("say_ended", "lesson", "retracted", "action_started", "action_ended", "resource_lost"),
+        *("prohibited", "stopped", "pose", "link", "error"),
+    }
