@@ -141,7 +141,7 @@ class Things:
         personal = word in PERSONAL
         for thing in reversed(self.things):
             fits = thing.person if personal else not thing.named
-            if fits or not thing.settled:
+            if fits or not thing.settled or word in ("they", "them"):
                 thing.person = thing.person or personal
                 return thing.name
         ref = {"him": "he", "her": "she", "them": "they"}.get(word, word)

@@ -39,7 +39,7 @@ def alias(alist: AList) -> Teach:
     if new is None or old is None:
         raise NoMeaningError(str(alist))
     said, meant = new.value or "", old.value or ""
-    if said == meant:
+    if _lemma(said) == _lemma(meant):
         raise NoMeaningError("a word that means itself")
     node = f"{_node(said, meant)}-1"
     meant, _ = particles().get(meant, (meant, ""))

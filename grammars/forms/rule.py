@@ -54,8 +54,8 @@ def _kind(build: Build, generic: AList) -> tuple[Graphlet, str]:
     with build.drawing(pattern=True):
         thing = build.thing(AList("np", generic.parts or (AList("akos", value=generic.value),)))
         said = [build.sketch.terms[name] for name in build.board]
-        for role in ("ako", "hq", "loc", "act"):
+        for role in ("ako", "hq", "loc", "agt", "obj"):
             for term in said:
-                if (role, thing) in term.links or term.kind == role:
+                if (role, thing) in term.links:
                     return build.graphlet(term.name), thing
     raise NoMeaningError(str(generic))
