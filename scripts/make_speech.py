@@ -77,8 +77,10 @@ def _synthesise(text: str, voice: str, stretch: float) -> Samples:
             raise ValueError(f"no voice {voice}: known are {', '.join(VOICES)}")
         subprocess.run(command, input=script, text=True, check=True, capture_output=True)
         samples, rate_hz = soundfile.read(path, dtype="int16", always_2d=True)
-    mono = samples[:, 0]
-    return mono if rate_hz == RATE_HZ else soxr.resample(mono, rate_hz, RATE_HZ)
+    mono: Samples = samples[:, 0]
+    if rate_hz != RATE_HZ:
+        mono = soxr.resample(mono, rate_hz, RATE_HZ)
+    return mono
 
 
 def _trim(samples: Samples) -> Samples:

@@ -220,7 +220,7 @@ def trim(source: Path, target: Path, words: list[str], lexicon: Lexicon, bigram:
     for name in ("phones/word_boundary.int", "disambig_tid.int"):
         shutil.copyfile(source / "graph" / name, graph / name)
     numbers = {word: place for place, word in enumerate(["<eps>", UNKNOWN_WORD, *words])}
-    entries = [(numbers[UNKNOWN_WORD], (UNKNOWN,), 0.0)]
+    entries: list[tuple[int, tuple[int, ...], float]] = [(numbers[UNKNOWN_WORD], (UNKNOWN,), 0.0)]
     for word in words:
         for place, pronunciation in enumerate(lexicon[word]):
             cost = SECOND_PRONUNCIATION_COST if place else 0.0

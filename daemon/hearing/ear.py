@@ -51,6 +51,7 @@ class Ear:
         self.dropped = 0
         self.restarts = 0
         self.unheard: tuple[str, ...] = ()
+        self._process: asyncio.subprocess.Process | None = None
         self._blocks: asyncio.Queue[Sound] = asyncio.Queue(MOST_BLOCKS)
         self._fresh: Automaton | None = None
         self._heard_s = 0.0
@@ -63,6 +64,17 @@ class Ear:
     def idle(self) -> bool:
         """All sound so far has been heard, nothing is being said and nothing waits to be finished."""
         return self._idle
+
+    @property
+    def pid(self) -> int | None:
+        """Process id of the recogniser; None while there is none."""
+        return self._process.pid if self._process else None
+
+    def kill(self) -> None:
+        """End the recogniser at once, as a hang or a crash would; it is started again."""
+        if self._process:
+            self.ready.clear()
+            self._process.kill()
 
     def hear(self, samples: Samples) -> None:
         """Take a block of sound; never waits."""
@@ -111,6 +123,7 @@ class Ear:
         process = await asyncio.create_subprocess_exec(
             *COMMAND, stdin=asyncio.subprocess.PIPE, stdout=asyncio.subprocess.PIPE
         )
+        self._process = process
         assert process.stdin is not None
         assert process.stdout is not None
         channel = _Channel(process.stdin, process.stdout)
@@ -143,6 +156,7 @@ class Ear:
             with suppress(ProcessLookupError):
                 process.kill()
             await process.wait()
+            self._process = None
 
     async def _ask_ready(self, channel: _Channel, request: SetUp | SetLanguage) -> None:
         reply = await channel.ask(request)

@@ -16,7 +16,8 @@ class StopSpotter:
     """
 
     def __init__(self, robot_name: str = "robot") -> None:
-        self._name = robot_name.lower()
+        # "robot stop" is often heard as "robots stop": the s is shared
+        self._names = {robot_name.lower(), f"{robot_name.lower()}s"}
         self._steady = 0
         self._done = False
 
@@ -26,7 +27,7 @@ class StopSpotter:
 
     def heard(self, partial: str, quiet: bool) -> str:
         """Take the next hypothesis and whether the voice has paused; the stop word, once an utterance, else ""."""
-        words = [word for word in partial.split() if word != self._name]
+        words = [word for word in partial.split() if word not in self._names]
         if len(words) != 1 or words[0] not in STOP_WORDS or len(partial.split()) > 2:
             self._steady = 0
             return ""

@@ -1,0 +1,159 @@
+"""What the recognisers are told may be said."""
+
+from __future__ import annotations
+
+import random
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from grammars.automaton import cover, restrict, sample
+from grammars.finite_state import (
+    automaton,
+    compile_rules,
+    expand,
+    heard_rules,
+    phrases,
+    skeleton,
+    spoken_rules,
+)
+from grammars.vocabulary import BORN, Vocabulary
+
+RULES = [
+    ("start", ("chain",)),
+    ("chain", ("action",)),
+    ("chain", ("action", '"then"', "chain")),
+    ("action", ("VERB",)),
+    ("action", ("VERB", "np")),
+    ("np", ('"the"', "NOUN")),
+    ("np", ('"the"', "NOUN", '"near"', "np")),
+    ("list", ("NOUN",)),
+    ("list", ("list", '"and"', "NOUN")),
+]
+WORDS = {"VERB": ("grab", "pick up"), "NOUN": ("block", "ball")}
+SMALL = expand(compile_rules(RULES, "start"), WORDS)
+
+DEMONSTRATION = """drive forward
+to cha-cha drive forward then drive backwards
+to shimmy turn left then turn right
+to dance cha-cha then shimmy
+please dance
+if something is very close then drive backwards
+you should never grab a person but instead say i'm not allowed to
+if something is a girl it is a person
+mary is a girl
+grab the block
+grab mary
+turn means rotate
+widdershins means counterclockwise
+to turn widdershins turn counterclockwise
+if rick tells you to do something don't but instead complain
+to complain say i don't take orders from you
+i am rick
+turn left
+stop""".splitlines()
+
+
+@pytest.mark.parametrize("sentence", DEMONSTRATION)
+def test_the_demonstration_may_be_said(sentence: str) -> None:
+    assert automaton(BORN).accepts(sentence.split())
+
+
+@pytest.mark.parametrize(
+    "sentence", ["drive", "grab the", "forward the then", "", "to", "two large pizzas"]
+)
+def test_what_is_no_sentence_may_not_be_said(sentence: str) -> None:
+    assert automaton(BORN).accepts(sentence.split()) is (sentence == "drive")
+
+
+def test_repetition_is_a_loop_and_nesting_is_bounded() -> None:
+    assert SMALL.accepts("grab then grab then grab then grab the ball".split())
+    assert SMALL.accepts("grab the ball near the block".split())
+    lists = expand(compile_rules(RULES, "list"), WORDS)
+    assert lists.accepts("ball and block and ball and ball".split())
+    assert not lists.accepts("ball and".split())
+
+
+def test_an_entry_of_two_words_is_a_path() -> None:
+    assert SMALL.accepts("pick up the ball".split())
+    assert not SMALL.accepts("pick the ball".split())
+
+
+def test_the_automaton_is_minimal() -> None:
+    one = compile_rules(
+        [("start", ("A", "B")), ("start", ("C", "B")), ("start", ("D", "B"))], "start"
+    )
+    assert one.size == 3
+
+
+def test_a_rule_that_is_not_there_is_an_error() -> None:
+    with pytest.raises(KeyError):
+        compile_rules(RULES, "nothing")
+
+
+def test_a_category_without_words_takes_its_sentences_along() -> None:
+    assert not expand(compile_rules(RULES, "start"), {"NOUN": ("ball",)}).arcs
+
+
+@given(st.integers(0, 2**32))
+def test_every_sampled_sentence_is_a_sentence(seed: int) -> None:
+    for sentence in sample(SMALL, 5, random.Random(seed)):
+        assert SMALL.accepts(sentence.split())
+
+
+def test_sampling_is_repeatable() -> None:
+    assert phrases(BORN, 20, seed=1) == phrases(BORN, 20, seed=1) != phrases(BORN, 20, seed=2)
+
+
+def test_covering_phrases_hold_every_pair_of_words() -> None:
+    pairs = {
+        pair
+        for phrase in cover(SMALL)
+        for pair in zip(phrase.split(), phrase.split()[1:], strict=False)
+    }
+    assert pairs == {
+        (word, after) for _, word, target in SMALL.arcs for after in SMALL.moves.get(target, {})
+    }
+
+
+def test_restricting_leaves_whole_sentences() -> None:
+    less = restrict(SMALL, SMALL.words - {"block"})
+    assert less.accepts("grab the ball".split())
+    assert not less.after("grab the block".split())
+
+
+def test_a_taught_word_may_be_said() -> None:
+    taught = Vocabulary(
+        BORN.born, {"widdershins": {"DIR": "widdershins"}, "zork": {"VERB": "zork"}}
+    )
+    assert automaton(taught).accepts("turn widdershins then zork the block".split())
+    assert not automaton(BORN).accepts("zork the block".split())
+
+
+def test_a_thousand_names_change_the_language_at_once() -> None:
+    names = {f"name{number}": {"PROPER": f"name{number}"} for number in range(1000)}
+    assert automaton(Vocabulary(BORN.born, names)).accepts("grab name999".split())
+    assert skeleton().size < 1_000
+
+
+def test_replaced_rules_name_rules_and_words_that_exist() -> None:
+    """A rule renamed in the grammar would silently be heard no more."""
+    rules = heard_rules(spoken_rules(), "")
+    known = {origin for origin, _ in rules}
+    for origin, symbols in heard_rules([], _heard_text()):
+        for symbol in symbols:
+            assert (
+                symbol.startswith('"')
+                or symbol.isupper()
+                or symbol in known | {"_hailword", "_how"}
+            ), (
+                origin,
+                symbol,
+            )
+
+
+def _heard_text() -> str:
+    from importlib.resources import files
+
+    return files("grammars").joinpath("heard.lark").read_text("utf8")
