@@ -62,7 +62,7 @@ class Ear:
 
     @property
     def idle(self) -> bool:
-        """All sound so far has been heard, nothing is being said and nothing waits to be finished."""
+        """All sound so far has been heard, nothing is being said, and no new language is being taken."""
         return self._idle
 
     @property
@@ -95,8 +95,11 @@ class Ear:
         self._speaking = now
 
     def set_language(self, language: Automaton) -> None:
-        """Take a new language as soon as nothing is being said."""
+        """Take a new language as soon as nothing is being said, not only when the next sound comes."""
         self._language = self._fresh = language
+        self._idle = False
+        if not self._blocks.full():
+            self._blocks.put_nowait(Sound(b""))
 
     async def serve(self) -> None:
         """Run the recogniser until cancelled.

@@ -59,7 +59,10 @@ class Transcriber:
         """Take a new language for the recordings to come."""
         self._language = language
         if self._process is not None:
-            self._process.ask(SetLanguage(language))
+            try:
+                self._process.ask(SetLanguage(language))
+            except RecogniserLostError:
+                self.close()  # the next recording starts another, with this language
 
     def transcribe(
         self, recorded: Path | Samples, parses: Parses, gated: bool = False
