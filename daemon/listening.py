@@ -15,6 +15,7 @@ from daemon.hearing.choice import Engine
 from daemon.hearing.ear import Ear, play
 from daemon.hearing.events import HearingEvent
 from daemon.hearing.recogniser import RATE_HZ, EngineError, Samples
+from daemon.hearing.recogniser_process import PATIENCE_S
 from daemon.understanding import understand
 from grammars.finite_state import automaton
 from grammars.vocabulary import Vocabulary
@@ -65,6 +66,9 @@ class Listening:
         quiet = np.zeros(round(QUIET_S * RATE_HZ), np.int16)
 
         async def until_idle(ear: Ear) -> None:
+            async with asyncio.timeout(PATIENCE_S):
+                while not ear.idle:  # new words come first: they may be in it
+                    await asyncio.sleep(VERDICT_S)
             await play(samples, ear)
             for _ in range(round(LONGEST_QUIET_S / QUIET_S)):
                 await asyncio.sleep(VERDICT_S)
