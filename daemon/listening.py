@@ -67,7 +67,7 @@ class Listening:
 
         async def until_idle(ear: Ear) -> None:
             async with asyncio.timeout(PATIENCE_S):
-                while not ear.idle:  # new words come first: they may be in it
+                while not ear.idle:  # noqa: ASYNC110 - new words come first: they may be in it
                     await asyncio.sleep(VERDICT_S)
             await play(samples, ear)
             for _ in range(round(LONGEST_QUIET_S / QUIET_S)):
