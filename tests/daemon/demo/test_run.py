@@ -56,6 +56,7 @@ def test_typed_in_virtual_time_every_line_goes_as_expected(tmp_path: Path) -> No
     assert "cha-cha" in picture.read_text()
 
 
+@pytest.mark.timeout(240)  # about 20 s, but machines may be busy
 @pytest.mark.parametrize("engine", ["vosk", "pocketsphinx"])
 def test_heard_in_virtual_time_every_line_goes_as_expected(engine: str) -> None:
     told = io.StringIO()
@@ -63,6 +64,7 @@ def test_heard_in_virtual_time_every_line_goes_as_expected(engine: str) -> None:
     assert status == 0, told.getvalue()
 
 
+@pytest.mark.timeout(120)
 @pytest.mark.parametrize("typed", [True, False], ids=["typed", "heard"])
 def test_in_real_time_over_the_pty(stage: Stage, typed: bool) -> None:
     status = stage.play(lines_up_to(SHIMMY), typed=typed)
