@@ -76,7 +76,7 @@ class Ears:
 
     def refresh(self) -> None:
         """Hand words that were learned to the recogniser; it takes them between two utterances."""
-        if self._listening is not None and self._cycle.vocabulary is not self._known:
+        if self._listening is not None and self._cycle.vocabulary != self._known:
             self._known = self._cycle.vocabulary
             self._listening.know(self._known)
 
