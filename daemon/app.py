@@ -187,13 +187,12 @@ class App:
 
     def status(self) -> dict[str, object]:
         """State of hearing, mind and link."""
-        lessons = [lesson for lesson in self._cycle.mind.policy if lesson.ident > 0]
         return {
             "uptime_s": round(self._clock.now_s(), 1),
             "robot": self._config.robot.uri,
             "link": "up" if self._parts.link.connected else self._parts.link.detail,
             "hearing": self._config.hearing.source,
-            "lessons": len(lessons),
+            "lessons": sum(lesson.ident > 0 for lesson in self._cycle.mind.policy),
             "resting": len(self._parts.loaded.resting),
             "speaker": self._cycle.mind.speaker,
             "busy": not self._cycle.settled,
@@ -274,16 +273,12 @@ class App:
         self._ready()
 
     def _ready(self) -> None:
-        seconds = process_age_s()
-        known = f"{len(self._parts.loaded.lessons)} lessons"
-        resting = (
-            f", {len(self._parts.loaded.resting)} lessons rest"
-            if self._parts.loaded.resting
-            else ""
-        )
-        for lesson in self._parts.loaded.resting:
+        loaded = self._parts.loaded
+        known = f"{len(loaded.lessons)} lessons"
+        resting = f", {len(loaded.resting)} lessons rest" if loaded.resting else ""
+        for lesson in loaded.resting:
             self._failed("store", f"lesson {lesson.ident} rests: {lesson.words}: {lesson.why}")
-        line = f"ready after {seconds:.2f} s: {self._config.robot.uri}, {known}{resting}"
+        line = f"ready after {process_age_s():.2f} s: {self._config.robot.uri}, {known}{resting}"
         self._announce(line)
         self._notifier.ready(line)
 
