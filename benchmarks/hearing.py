@@ -76,9 +76,9 @@ def main() -> int:
             transcriber.start()
             for name in asked.lists or ("demonstration", "others", "chatter"):
                 for voice in VOICES:
-                    table.add_row(
-                        engine, voice, name, *measure(transcriber, name, voice, asked.wrong)
-                    )
+                    row = measure(transcriber, name, voice, asked.wrong)
+                    table.add_row(engine, voice, name, *row)
+                    print(engine, voice, name, *row, flush=True)
     console.print(table)
     return 0
 

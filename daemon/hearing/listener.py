@@ -29,6 +29,9 @@ PAUSE_S = 0.3
 """Silence after which the next word is also heard by itself, in case it is "stop"."""
 DITHER = 3.0
 """Standard deviation of the noise added for the engine, of 32768: digital silence is unlike any room it has learned."""
+QUIET_S = 0.1
+"""Silence after which a stop word counts as said alone. "Stock prices" has nearly as much in its middle, and was taken for
+a stop in two voices of four; longer would cost the 200 ms in which a stop must be found."""
 CLICK_S = 0.1
 """After so much silence one loud frame alone is a click, no speech."""
 
@@ -174,7 +177,7 @@ class Listener:
             if text and not utterance.gated:
                 yield Partial(self.now_s, text)
         heard = self._spare.partial() if utterance.again else text
-        if word := self._spotter.heard(heard, utterance.spoken_s < self.now_s):
+        if word := self._spotter.heard(heard, self.now_s - utterance.spoken_s >= QUIET_S):
             yield StopWord(self.now_s, word)
         wait_s = endpoint.wait_s(text, self._language)
         settled_s = endpoint.SETTLED_S * (1 if wait_s == endpoint.SHORT_WAIT_S else 2)
