@@ -30,8 +30,8 @@ PAUSE_S = 0.3
 DITHER = 3.0
 """Standard deviation of the noise added for the engine, of 32768: digital silence is unlike any room it has learned."""
 QUIET_S = 0.1
-"""Silence after which a stop word counts as said alone. "Stock prices" has nearly as much in its middle, and was taken for
-a stop in two voices of four; longer would cost the 200 ms in which a stop must be found."""
+"""Silence after which a stop word counts as said alone. "Stock prices" has nearly as much in its middle, and was taken
+for a stop in two voices of four; longer would cost the 200 ms in which a stop must be found."""
 CLICK_S = 0.1
 """After so much silence one loud frame alone is a click, no speech."""
 
