@@ -53,7 +53,6 @@ class MindPart(Part, frozen=True, forbid_unknown_fields=True):
 
     tick_hz: Annotated[float, msgspec.Meta(ge=5.0, le=200.0)] = 30.0
     seed: Annotated[int, msgspec.Meta(ge=0)] = 0
-    owner: str = ""
     belief_threshold: Fraction = 0.5
     desperate_threshold: Fraction = 0.25
     caution_threshold: Fraction = 0.2

@@ -1,8 +1,9 @@
-"""What the daemon hears: sound files, on request or as its source, at the pace they were spoken."""
+"""What the daemon hears: sound files, on request or as its source, at the pace they were spoken; typed lines."""
 
 from __future__ import annotations
 
 import asyncio
+import sys
 from collections.abc import Callable
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -14,6 +15,7 @@ from daemon.aside import Aside
 from daemon.clock import Clock
 from daemon.config import Hearing
 from daemon.hearing.events import Heard, HearingEvent, NotHeard, StopWord
+from daemon.hearing.typed import typed
 from daemon.loop import Cycle
 from kernel.memory.meaning import Utterance
 
@@ -21,6 +23,7 @@ if TYPE_CHECKING:
     from daemon.hearing.recogniser import Samples
     from daemon.listening import Listening
 
+LONGEST_LINE: Final = 4096  # bytes
 MODELS: Final = "models"  # folder of installed models, in the user's data directory
 
 Submit = Callable[[Utterance, str], asyncio.Future[None]]
@@ -55,9 +58,22 @@ class Ears:
         self._one_at_a_time = asyncio.Lock()
 
     async def serve(self) -> None:
-        """Hear the configured source to its end; typed: there is nothing to hear."""
-        if self._hearing.source != "typed":
+        """Hear the configured source to its end; typed: the lines of the standard input."""
+        if self._hearing.source == "typed":
+            await self._read_lines()
+        else:
             await self.play(Path(self._hearing.source), "", "heard")
+
+    async def _read_lines(self) -> None:
+        self._playing = _Playing("", "typed")
+        keyboard = Aside("keyboard")  # a terminal cannot be waited for like a socket
+        try:
+            while line := await keyboard.run(sys.stdin.buffer.readline, LONGEST_LINE):
+                for event in typed(line.decode(errors="replace"), self._loop.time()):
+                    self._perceive(event)
+                self._playing.taken.clear()
+        finally:
+            keyboard.close()
 
     async def play(self, path: Path, speaker: str, source: str) -> None:
         """Hear a file; ends when nothing of it is left to be decided.

@@ -51,6 +51,7 @@ def daemon(folder: Path, *arguments: str, **more: str) -> Iterator[subprocess.Po
     """A running daemon that has said that it is ready."""
     with subprocess.Popen(
         [*SAYSO, "run", *arguments],
+        stdin=subprocess.DEVNULL,
         stdout=subprocess.PIPE,
         stderr=subprocess.PIPE,
         text=True,
@@ -140,6 +141,36 @@ def test_it_hears_the_sound_file_it_is_given(folder: Path) -> None:
             time.sleep(0.05)
         else:
             pytest.fail("it did not drive")
+
+
+def test_it_takes_the_lines_that_are_typed(folder: Path) -> None:
+    run = subprocess.Popen(
+        [*SAYSO, "run"],
+        stdin=subprocess.PIPE,
+        stdout=subprocess.PIPE,
+        text=True,
+        env=environment(folder),
+    )
+    with run as process:
+        assert process.stdin is not None
+        assert process.stdout is not None
+        assert process.stdout.readline().startswith("ready after")
+        connected(folder)
+        process.stdin.write("to hop drive forward\n\n\x00zork\n")
+        process.stdin.flush()
+        deadline_s = time.monotonic() + 10
+        while time.monotonic() < deadline_s:
+            (told,) = ask(folder, Status(v=1))
+            assert isinstance(told, Told)
+            if told.facts["lessons"] == 1:
+                break
+            time.sleep(0.05)
+        else:
+            pytest.fail("nothing learned")
+        process.stdin.close()
+        (told,) = ask(folder, Status(v=1))
+        process.send_signal(signal.SIGTERM)
+        assert process.wait(5) == 0
 
 
 def test_stop_from_the_command_line(folder: Path) -> None:

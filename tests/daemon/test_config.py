@@ -86,8 +86,8 @@ def test_without_a_file_the_defaults_hold(tmp_path: Path, monkeypatch: pytest.Mo
 def test_the_users_own_file_is_found(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("XDG_CONFIG_HOME", str(tmp_path))
     (tmp_path / "sayso").mkdir()
-    written(tmp_path / "sayso", "[mind]\nowner = 'Mary'\n")
-    assert load(None).mind.owner == "Mary"
+    written(tmp_path / "sayso", "[mind]\nseed = 7\n")
+    assert load(None).mind.seed == 7
 
 
 def test_the_command_line_goes_before_the_file() -> None:
