@@ -75,9 +75,6 @@ class Thing:
     name: str = ""
     low: bool = False
 
-    def __str__(self) -> str:
-        return " ".join(word for word in (self.colour, self.noun, self.name) if word)
-
 
 @dataclass(frozen=True, slots=True)
 class Place:
@@ -136,7 +133,7 @@ Step = You | Audio | Wait | WorldStep | Restart | LinkSwitch | Expect
 
 @dataclass(frozen=True, slots=True)
 class Dialogue:
-    """A parsed file: its lines in order. lines: the text of each step by its line number."""
+    """A parsed file: its steps in order, and their lines as they stand, by line number."""
 
     name: str
     steps: tuple[Step, ...]
@@ -214,17 +211,12 @@ def _step(number: int, text: str, folder: Path) -> Step:
     rest = match["rest"].strip() if match else ""
     if match and key == "you":
         return _you(number, text, match["name"], rest)
-    if match and match["name"] is None and key == "audio":
-        return _audio(number, text, folder, rest)
-    if match and match["name"] is None and key in _READERS:
-        return _READERS[key](number, text, rest)
+    if match and match["name"] is None:
+        if key == "audio" and rest.lower().endswith(".wav"):
+            return Audio(number, folder / rest)
+        if key in _READERS:
+            return _READERS[key](number, text, rest)
     raise DialogueError(number, text, _EXPECTED_LINE)
-
-
-def _audio(number: int, text: str, folder: Path, rest: str) -> Step:
-    if not rest.lower().endswith(".wav"):
-        raise DialogueError(number, text, "audio: FILE.wav")
-    return Audio(number, folder / rest)
 
 
 def _you(number: int, text: str, name: str | None, rest: str) -> Step:

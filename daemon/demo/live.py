@@ -16,7 +16,6 @@ from daemon.config import Config, Hearing, MindPart, Robot, Speaking
 from daemon.demo.result import Result, result
 from daemon.demo.show import Show
 from daemon.dialogue import Dialogue, Insert, LinkSwitch, Place, Remove, Restart, You
-from daemon.judgement import Turn
 from daemon.recorder import SAMPLE_S, Recorder, change, sample
 from daemon.store import Store
 from kernel.bodies.forklift.simulated import World
@@ -49,7 +48,7 @@ def play(
     """
     config = Config(
         robot=Robot(uri="sim://forklift"),
-        hearing=Hearing(engine=engine),  # type: ignore[arg-type]  # one of the three, from the command line
+        hearing=Hearing(source="", engine=engine),  # type: ignore[arg-type]  # one of the three, from the command line
         speaking=Speaking(voice="silent"),
         mind=MindPart(seed=seed),
     )
@@ -85,41 +84,48 @@ async def _lines(
     world = await _world(app)
     show.things = lambda: world.things
     recorder.begin(sample(world, app.now_s))
-    sampling = asyncio.create_task(_sample(app, world, recorder))
+    going: set[asyncio.Task[object]] = {asyncio.create_task(_sample(app, world, recorder))}
     results = []
     try:
         for act in acts(demonstration.steps):
             line = demonstration.lines[act.step.line] if act.step else ""
             show.enter(line)
             vocabulary = app.cycle.vocabulary
-            turn = await _perform(act, app, world, recorder, sounds)
+            recorder.begin(sample(world, app.now_s))
+            await _perform(act, app, world, sounds, going)
+            turn = recorder.turn(sample(world, app.now_s))
             results.append(result(act, line, turn, vocabulary))
             show.judge(results[-1])
     finally:
-        sampling.cancel()
+        for task in going:
+            task.cancel()
     return results
 
 
 async def _perform(
-    act: Act, app: App, world: World, recorder: Recorder, sounds: dict[int, Path]
-) -> Turn:
-    recorder.begin(sample(world, app.now_s))
+    act: Act, app: App, world: World, sounds: dict[int, Path], going: set[asyncio.Task[object]]
+) -> None:
+    """Play the act's line, and let its time pass. going: keeps what goes on after that time."""
+    speaking: asyncio.Task[object] | None = None
     match act.step:
         case You(line=line) if line in sounds:
-            await app.hear(sounds[line], "", "demo")
+            speaking = asyncio.create_task(app.hear(sounds[line], "", "demo"))
         case You(text=text, speaker=speaker):
-            await app.say(text, speaker or "", "demo")
+            speaking = asyncio.create_task(app.say(text, speaker or "", "demo"))
         case Place() | Insert() | Remove() as step:
             change(world, step)
         case LinkSwitch(up=up):
             (app.link.restore if up else app.link.cut)()
         case Restart():
-            raise LiveError("restart: is for rehearsals; the demonstration's daemon keeps running")
+            raise LiveError("restart: is for rehearsals; this daemon keeps running")
     if act.seconds is None:
+        if speaking is not None:
+            await speaking
         await _idle(app)
-    else:
-        await asyncio.sleep(act.seconds)
-    return recorder.turn(sample(world, app.now_s))
+        return
+    await asyncio.sleep(act.seconds)
+    if speaking is not None and not speaking.done():
+        going.add(speaking)
 
 
 async def _idle(app: App) -> None:

@@ -3,7 +3,7 @@
 import pytest
 
 from daemon import events as ev
-from daemon.dialogue import Insert, Place, Remove, Thing, WorldStep, parse
+from daemon.dialogue import Insert, Place, Remove, WorldStep, parse
 from daemon.recorder import Recorder, change, sample
 from kernel.bodies.forklift.simulated import SimulatedForklift, World
 
@@ -67,7 +67,3 @@ def test_a_turn_has_what_happened_since_it_began(world: World) -> None:
     assert [now.t_s for now in turn.samples] == [1.0, 1.5, 2.0]
     assert (turn.began_s, turn.ended_s) == (1.0, 2.0)
     assert seen == [0.0, 1.0, 1.5, 2.0]
-
-
-def test_things_are_named_in_full() -> None:
-    assert str(Thing("block", "red", "bob")) == "red block bob"

@@ -8,6 +8,7 @@ from pathlib import Path
 import pytest
 from rich.console import Console
 
+from daemon.demo.live import LiveError
 from daemon.demo.run import main
 from daemon.demo.script import AUDIO, SCRIPT, script, spoken
 
@@ -69,6 +70,29 @@ def test_heard_in_virtual_time_every_line_goes_as_expected(engine: str) -> None:
 def test_in_real_time_over_the_pty(stage: Stage, typed: bool) -> None:
     status = stage.play(lines_up_to(SHIMMY), typed=typed)
     assert status == 0, stage.told.getvalue()
+
+
+def test_in_real_time_a_cut_pty_stops_the_wheels_and_is_survived(stage: Stage) -> None:
+    text = """
+        you: drive forward for one meter
+        wait: 1 s
+        robot: moves forward 10..30 cm
+        link: down
+        wait: 1 s
+        robot: moves forward 0..12 cm
+        wait: 0.5 s
+        robot: does not move
+        link: up
+        wait: 4 s
+        you: turn left
+        robot: turns left 80..100 degrees
+    """
+    assert stage.play(text, typed=True) == 0, stage.told.getvalue()
+
+
+def test_a_restart_cannot_be_played_in_real_time(stage: Stage) -> None:
+    with pytest.raises(LiveError, match="restart"):
+        stage.play("you: stop\nrestart:\n", typed=True)
 
 
 def test_two_recordings_swapped_make_it_fail(stage: Stage) -> None:
