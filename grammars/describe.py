@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import Any
 
-from grammars.parse import Parsed
+from grammars.reading import Parsed
 from kernel.action.chain import Chain, Directive
 from kernel.memory.lesson import Operator, Rule
 from kernel.memory.meaning import (

@@ -21,22 +21,16 @@ from lark.parsers import earley
 from lark.parsers.earley_forest import StableSymbolNode
 from lark.utils import OrderedSet
 
-from grammars.alist import AList
-from grammars.build import NoMeaningError
 from grammars.errors import NotUnderstoodError
-from grammars.lattice import Lexer, Token, variants
-from grammars.nearest import near_words, nearest_sentence
-from grammars.normalise import Piece, pieces
-from grammars.ranking import Ranking, to_alist
-from grammars.registry import discover
+from grammars.lattice import Lexer, Token
+from grammars.nearest import nearest_sentence
+from grammars.normalise import pieces
+from grammars.reading import BrokenOffError, Parsed, Reader
 from grammars.source import grammar_text
 from grammars.vocabulary import BORN, Vocabulary, lines, set_phrases
-from kernel.memory.meaning import Meaning
 
 MOST_WORDS: Final = 60
 MOST_LETTERS: Final = 1000
-MOST_REPAIRED: Final = 2  # typos in one sentence
-MOST_REPAIRS: Final = 9  # ways to repair them that are tried
 COMPILED: Final = "grammar.json"
 
 
@@ -51,31 +45,6 @@ class Production:
 
     origin: str
     symbols: tuple[str, ...]
-
-
-@dataclass(frozen=True, slots=True)
-class Parsed:
-    """A sentence understood.
-
-    Attributes:
-        text: as given.
-        kind: of the sentence (language.md, Kinds).
-        meaning: for the mind.
-        alist: slots, values and brackets.
-        unknown_words: words taken for something by their position.
-        repaired: (as typed, as taken) for each typo.
-        alternatives: number of readings found.
-        others: association lists of the other readings, best first.
-    """
-
-    text: str
-    kind: str
-    meaning: Meaning
-    alist: AList
-    unknown_words: tuple[str, ...] = ()
-    repaired: tuple[tuple[str, str], ...] = ()
-    alternatives: int = 1
-    others: tuple[AList, ...] = ()
 
 
 class _NoLexer:
@@ -156,10 +125,15 @@ class Grammar:
         """The shared forest of all derivations.
 
         Raises:
-            UnexpectedInput: there is none.
+            BrokenOffError: there is none.
         """
         parse_lattice: Any = self.parser.parse
-        return parse_lattice(_Lattice(self, tokens), "start")
+        try:
+            return parse_lattice(_Lattice(self, tokens), "start")
+        except UnexpectedInput as error:
+            token = getattr(error, "token", None)
+            at = token.index if isinstance(token, Token) else len(tokens)
+            raise BrokenOffError(at) from error
 
 
 class _Lattice:
@@ -265,7 +239,7 @@ def parse(text: str, vocabulary: Vocabulary = BORN, expecting: object = None) ->
     found = pieces(text)
     if not found or len(found) > MOST_WORDS or tuple(p.text for p in found) in _idioms():
         raise NotUnderstoodError(text)
-    reader = _Reader(text, Lexer(vocabulary, grammar().literal))
+    reader = Reader(text, Lexer(vocabulary, grammar().literal), grammar().forest, grammar().cost)
     strange = [at for at, piece in enumerate(found) if reader.lexer.strange(piece)]
     for reading in reader.readings(found, strange):
         return reading
@@ -275,76 +249,3 @@ def parse(text: str, vocabulary: Vocabulary = BORN, expecting: object = None) ->
         nearest_sentence(text),
         tuple(dict.fromkeys(found[at].text for at in strange)),
     )
-
-
-@dataclass
-class _Reader:
-    """One sentence being read. reached: how many words the best attempt took."""
-
-    text: str
-    lexer: Lexer
-    reached: int = 0
-
-    def readings(self, found: list[Piece], strange: Sequence[int]) -> Iterator[Parsed]:
-        """What it means as it stands, else with its typos repaired, else with its one unknown word guessed."""
-        for variant in variants(found, self.lexer.vocabulary):
-            yield from self.read(variant)
-        # Where reading broke off before the first strange word, another word in its place cannot help.
-        if 0 < len(strange) <= MOST_REPAIRED and strange[0] <= self.reached:
-            for variant, repaired in self.corrected(found, strange):
-                yield from self.read(variant, repaired=repaired)
-            if len(strange) == 1:
-                yield from self.read(found, guessing=True)
-
-    def read(
-        self,
-        found: Sequence[Piece],
-        guessing: bool = False,
-        repaired: tuple[tuple[str, str], ...] = (),
-    ) -> Iterator[Parsed]:
-        """The best reading that means something, if there is one."""
-        try:
-            forest = grammar().forest(self.lexer.tokens(found, guessing))
-        except UnexpectedInput as error:
-            token = getattr(error, "token", None)
-            here = token.index if isinstance(token, Token) else len(found)
-            self.reached = max(self.reached, here)
-            return
-        made = [
-            (alist, tree.guessed(), *meant)
-            for tree in Ranking(grammar().cost, {}).best(forest)
-            if (meant := _built(alist := to_alist(tree, self.text))) is not None
-        ]
-        for alist, unknown, kind, meaning in made[:1]:
-            others = tuple(other for other, *_ in made[1:])
-            yield Parsed(self.text, kind, meaning, alist, unknown, repaired, len(made), others)
-
-    def corrected(
-        self, found: list[Piece], places: Sequence[int]
-    ) -> Iterator[tuple[list[Piece], tuple[tuple[str, str], ...]]]:
-        """The sentence with its strange words replaced by near ones."""
-        words = (*self.lexer.vocabulary.everything, *self.lexer.literal)
-        choices: list[list[Piece]] = [found]
-        for at in places:
-            choices = [
-                [*done[:at], Piece("word", word, found[at].begin, found[at].end), *done[at + 1 :]]
-                for done in choices
-                for word in near_words(found[at].text, words, self.lexer.literal)
-            ]
-        for variant in choices[:MOST_REPAIRS]:
-            yield variant, tuple((found[at].text, variant[at].text) for at in places)
-
-    def understood(self, found: Sequence[Piece]) -> str:
-        """The beginning of the sentence that could start a sentence."""
-        return self.text[: found[min(self.reached, len(found)) - 1].end] if self.reached else ""
-
-
-def _built(sentence: AList) -> tuple[str, Meaning] | None:
-    """Kind and meaning of a reading; None where the net has no room for it."""
-    forms = discover()
-    body = next(part for part in sentence if part.name in forms)
-    form = forms[body.name]
-    try:
-        return form.kind, form.build(body)
-    except NoMeaningError:
-        return None

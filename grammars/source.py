@@ -10,8 +10,8 @@ from grammars.registry import discover
 from grammars.vocabulary import set_phrases
 
 CATEGORIES: Final = (
-    "VERB VERBS VERBING VERBED GIVE MOTION STATE STATES NOUN NOUNS ADJ ADJER ADJEST ADV DEG DIR PROPER PLACE NUM UNIT PREP"
-    " ORD QUOTED ANYWORD NEWING OPENWORD STRANGE UNK _COMMA"
+    "VERB VERBS VERBING VERBED GIVE MOTION STATE STATES NOUN NOUNS ADJ ADJER ADJEST ADV DEG DIR PROPER PLACE NUM UNIT"
+    " PREP ORD QUOTED ANYWORD NEWING OPENWORD STRANGE UNK _COMMA"
 ).split()
 # What it costs to take a word as something else than it is known to be; a set phrase is a little better than its words.
 TERMINAL_COST: Final[dict[str, int]] = {"ANYWORD": 2, "OPENWORD": 1, "STRANGE": 3, "UNK": 10}

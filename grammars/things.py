@@ -10,63 +10,28 @@ from __future__ import annotations
 from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass, field
-from typing import Any, Final
+from typing import Any
 
 from grammars.alist import AList
+from grammars.mentions import (
+    ANY_KIND,
+    NOBODY,
+    OWNING,
+    PERSON_WORDS,
+    PERSONAL,
+    PERSONS,
+    PLACES,
+    REFS,
+    SELF,
+    SELF_OWN,
+    Thing,
+)
 from grammars.vocabulary import BORN
 from kernel.net.graphlet import Graphlet, Sketch, Term
 
 
 class NoMeaningError(Exception):
     """A reading that the grammar allows and the net has no room for; the next reading is tried."""
-
-
-SELF: Final = {"you": "you", "yourself": "you", "me": "me", "i": "me"}
-SELF_OWN: Final = {"my": "me", "your": "you"}
-OWNING: Final = {"his": "he", "her": "she", "its": "it", "their": "they", "our": "we"}
-PERSONAL: Final = frozenset("him her he she".split())
-PERSON_WORDS: Final = frozenset("someone somebody anyone anybody nobody".split()) | {
-    "someone else",
-    "no one",
-}
-NOBODY: Final = frozenset(("nothing", "nobody", "no one"))
-PERSONS: Final = frozenset(
-    "person man woman boy girl child kid baby human guest visitor stranger friend neighbor owner".split()
-)
-ANY_KIND: Final = frozenset(("thing", "object", "item", "stuff"))
-REFS: Final = {"the": "the", "this": "this", "that": "that", "these": "this", "those": "that"}
-PLACES: Final = {
-    "to the left of": "left of",
-    "on the left of": "left of",
-    "on the left side of": "left of",
-    "to the right of": "right of",
-    "on the right of": "right of",
-    "on the right side of": "right of",
-    "close to": "near",
-    "near to": "near",
-    "beside": "next to",
-    "inside": "in",
-    "inside of": "in",
-    "in back of": "behind",
-    "underneath": "under",
-    "beneath": "under",
-    "on top of": "on",
-}
-
-
-@dataclass
-class Thing:
-    """Something mentioned: its node and what it was called, for later "it" and "the block"."""
-
-    name: str
-    kind: str = ""
-    person: bool = False
-    named: bool = False
-
-    @property
-    def settled(self) -> bool:
-        """It is known whether it is a person; "something" may be either."""
-        return self.person or self.named or bool(self.kind)
 
 
 @dataclass
@@ -81,6 +46,8 @@ class Things:
         things: what was mentioned, oldest first.
         telling: a fact is being told: "a hat" is a new thing and not looked up.
         negative: the clause being drawn had "nothing" or "nobody" in it.
+        trigger: the pattern is what a deed is matched with: "somebody" may be anything there, as nobody need have
+            said that Mary is a person before "greet Mary" greets somebody.
     """
 
     sketch: Sketch = field(default_factory=Sketch)
@@ -90,14 +57,15 @@ class Things:
     things: list[Thing] = field(default_factory=list)
     negative: bool = False
     telling: bool = False
+    trigger: bool = False
 
     @contextmanager
-    def drawing(self, pattern: bool) -> Iterator[list[str]]:
+    def drawing(self, pattern: bool, trigger: bool = False) -> Iterator[list[str]]:
         """A fresh board."""
-        before = self.board, self.pattern
-        self.board, self.pattern = [], pattern
+        before = self.board, self.pattern, self.trigger
+        self.board, self.pattern, self.trigger = [], pattern, trigger
         yield self.board
-        self.board, self.pattern = before
+        self.board, self.pattern, self.trigger = before
 
     def add(self, kind: str, *lex: str, **more: Any) -> str:
         """Add a term to the sketch and to the board."""
@@ -175,7 +143,8 @@ class Things:
         vague, called = np.slot("vague"), np.slot("name")
         if vague in NOBODY or det == "no":
             self.negative = True
-        ref = "one" if np.has("one") else REFS.get(det, "")
+        anybody = vague in PERSON_WORDS and self.trigger
+        ref = "somebody" if anybody else "one" if np.has("one") else REFS.get(det, "")
         place = "PLACE" in BORN.readings(called)
         person = (bool(called) and not place) or person or kind in PERSONS or vague in PERSON_WORDS
         new = self.telling and not called and not ref and not (np.has("own") or np.has("owner"))
@@ -183,7 +152,7 @@ class Things:
             name = self.add("obj", *([called] if called else []), ref=ref)
             if kind and (kind not in ANY_KIND or ref):
                 self.kind(name, kind, np.slot("sub"))
-            if vague in PERSON_WORDS:
+            if vague in PERSON_WORDS and not anybody:
                 self.kind(name, "person")
             for qual in np.all("qual"):
                 self.quality(name, qual)

@@ -22,7 +22,7 @@ EXAMPLES = (
 def after(alist: AList) -> Teach:
     """An operator on POST; the action may stand in the sentence after what is to be done."""
     build = Build()
-    with build.drawing(pattern=True):
+    with build.drawing(pattern=True, trigger=True):
         trigger = build.graphlet(build.action(alist.first("action", "gerunding", "did_it")))
     chain = build.chain(alist.first("chain"))
     operator = Operator(

@@ -21,7 +21,7 @@ EXAMPLES = (
 def before(alist: AList) -> Teach:
     """An operator on ANTE; the action may stand in the sentence after what is to be done."""
     build = Build()
-    with build.drawing(pattern=True):
+    with build.drawing(pattern=True, trigger=True):
         trigger = build.graphlet(build.action(alist.first("action", "gerunding")))
     chain = build.chain(alist.first("chain"))
     operator = Operator(

@@ -5,8 +5,8 @@ from __future__ import annotations
 from grammars.alist import AList
 from grammars.build import Build, NoMeaningError
 from grammars.clauses import clause
+from grammars.mentions import OWNING
 from grammars.registry import sentence_form
-from grammars.things import OWNING
 from kernel.memory.meaning import Fact
 from kernel.net.graphlet import Graphlet, Term
 

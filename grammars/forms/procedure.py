@@ -28,7 +28,7 @@ def procedure(alist: AList) -> Teach:
     """An operator on DO."""
     build = Build()
     said = alist.find("said")
-    with build.drawing(pattern=True):
+    with build.drawing(pattern=True, trigger=True):
         if said is not None:
             act = build.add("act", said.slot("quote").lower())
         else:

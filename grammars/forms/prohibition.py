@@ -28,7 +28,7 @@ def prohibition(alist: AList) -> Teach:
     build = Build()
     first = next(part.name for part in alist if part.name in ("action", "gerunding", "conds"))
     before = enablement(build, alist) if first == "conds" else ()
-    with build.drawing(pattern=True):
+    with build.drawing(pattern=True, trigger=True):
         trigger = build.graphlet(build.action(alist.first("action", "gerunding")))
     after = enablement(build, alist) if first != "conds" else ()
     instead = alist.find("chain")

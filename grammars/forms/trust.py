@@ -30,10 +30,10 @@ def trust(alist: AList) -> Teach:
     build = Build()
     order = alist.find("ordered", "ordering") or alist
     speaker = order.find("np") or alist.first("np")
-    with build.drawing(pattern=True):
+    with build.drawing(pattern=True, trigger=True):
         act = build.act_or_any(alist.find("action") or order.find("action"))
         done = build.graphlet(act)
-    with build.drawing(pattern=True):
+    with build.drawing(pattern=True, trigger=True):
         telling = build.graphlet(told(build, speaker, act))
     instead = alist.find("chain")
     plays = () if instead is None else build.chain(instead).plays

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from typing import Final, Literal
 
+from grammars.mentions import PERSONS
 from grammars.morphology import article, comparative, gerund, plural, superlative
 from grammars.render.telling import Telling, linked, word
-from grammars.things import PERSONS
 from kernel.net.graphlet import Term
 
 Case = Literal["subject", "object", "possessive"]
@@ -157,14 +157,15 @@ def _first(telling: Telling, term: Term) -> str:
     name, ref = term.name, term.ref
     if term.lex:
         return proper(word(term))
-    if ref in PRONOUNS and not described(telling, name):
+    if (ref in PRONOUNS or ref == "somebody") and not described(telling, name):
         return ref
     owners = [linked(own, "of") for own in telling.take(name, "own")]
     whose = thing(telling, owners[0], "possessive") if owners else ""
-    bare = "" if not ref and not owners else "one" if ref == "one" else "thing"
+    bare = "" if ref in ("", "somebody") and not owners else "one" if ref == "one" else "thing"
     before, noun, after = description(telling, name, bare)
     if not noun:
-        return " ".join(filter(None, ("something", before, after)))
+        vague = "somebody" if ref == "somebody" else "something"
+        return " ".join(filter(None, (vague, before, after)))
     numbers = [count.literal or "" for count in telling.take(name, "cnt")]
     phrase = " ".join(filter(None, (*numbers, before, plural(noun) if numbers else noun, after)))
     if whose:
@@ -180,7 +181,7 @@ def _again(telling: Telling, term: Term) -> str:
     """As the parser takes it up: "it" is the thing mentioned last, "the block" the last block."""
     name, noun = term.name, telling.mentioned[term.name]
     if name == next(reversed(telling.mentioned)):
-        return "they" if term.lex or noun in PERSONS else "it"
+        return "they" if term.lex or noun in PERSONS or term.ref == "somebody" else "it"
     same = [other for other, called in telling.mentioned.items() if called == noun]
     if term.lex or not noun or name != same[-1]:
         return proper(word(term)) if term.lex else "it"

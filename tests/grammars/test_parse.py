@@ -10,7 +10,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from grammars.errors import NotUnderstoodError
-from grammars.parse import COMPILED, Parsed, closed_words, compile_grammar, parse, productions
+from grammars.parse import COMPILED, closed_words, compile_grammar, parse, productions
+from grammars.reading import Parsed
 from grammars.vocabulary import BORN
 
 WORDS = sorted({*BORN.everything, *closed_words()})
