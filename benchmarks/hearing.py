@@ -1,26 +1,30 @@
-"""How well the engines hear: `python benchmarks/hearing.py [--engine vosk] [--quick]`.
+"""How well the engines hear: `python benchmarks/hearing.py [--engine vosk] [--list demonstration] [--wrong]`.
 
-Speaks the lists of hearing_lists/ with synthesizer voices (see scripts/make_speech.py; the speech is kept in
-.benchmarks/hearing), lets the recogniser process hear them in virtual time, and prints a table: sentences whole after
-normalising, time needed for a second of sound, end of speech to decision, end of "stop" to its discovery, and what was
-taken for a sentence though it was chatter.
+Speaks the lists of hearing_lists/ with synthesizer voices at several speeds (see scripts/make_speech.py; the speech is
+kept in .benchmarks/hearing), lets the recogniser process hear them in virtual time, and prints a table: sentences whole
+after normalising, time needed for a second of sound, end of speech to decision, end of "stop" to its discovery, and
+what was wrongly taken: for chatter every sentence, for lessons with pauses everything that would move the robot.
 """
 
 from __future__ import annotations
 
 import argparse
+import re
+import shutil
 import statistics
 import subprocess
 import sys
 import time
+from dataclasses import dataclass, field, fields
 from pathlib import Path
+from tempfile import TemporaryDirectory
 
 from rich.console import Console
 from rich.table import Table
 
 from daemon.hearing import recording
 from daemon.hearing.choice import Engine
-from daemon.hearing.events import Heard, HearingEvent, StopWord
+from daemon.hearing.events import Heard, HearingEvent, NotHeard, StopWord
 from daemon.hearing.recogniser import RATE_HZ, engines
 from daemon.hearing.transcribe import Transcriber
 from grammars.errors import NotUnderstoodError
@@ -31,7 +35,13 @@ from grammars.vocabulary import BORN, Vocabulary
 
 HERE = Path(__file__).parent
 SPOKEN = HERE.parent / ".benchmarks" / "hearing"
-VOICES = ("flite-kal16", "flite-slt", "flite-awb", "flite-rms", "festival-kal", "espeak-en-us")
+VOICES = ("flite-kal16", "flite-slt", "flite-awb", "flite-rms", "festival-kal")
+SPEEDS = {"demonstration": (0.85, 1.0, 1.2), "heldout": (0.85, 1.0, 1.2)}
+"""Duration, relative to the voice's own; 1 for a list that is not here."""
+PAUSES_S = {"lessons": (0.4, 0.8, 1.2)}
+"""What the bars in a list stand for."""
+LISTS = ("demonstration", "heldout", "others", "lessons", "chatter")
+COLUMNS = ("whole", "of", "%", "lag s", "stop s", "wrong", "per s")
 TAIL_S = 0.5
 TAUGHT = Vocabulary(BORN.born, {"widdershins": {"DIR": "widdershins"}})
 
@@ -52,62 +62,115 @@ def parses(text: str) -> bool:
     return True
 
 
-def spoken(name: str, voice: str) -> list[tuple[str, Path]]:
-    folder = SPOKEN / name
-    listed = folder / "list.tsv"
-    folder.mkdir(parents=True, exist_ok=True)
-    listed.write_text("".join(f"{at}\t{text}\n" for at, text in enumerate(sentences(name))))
-    if not (folder / voice).is_dir():
-        script = HERE.parent / "scripts" / "make_speech.py"
-        subprocess.run([sys.executable, script, listed, folder, "--voice", voice], check=True)
-    return [(text, folder / voice / f"{at}.wav") for at, text in enumerate(sentences(name))]
+def moves(text: str) -> bool:
+    return parse(text, TAUGHT).kind == "command"
+
+
+def spoken(name: str, voice: str, speed: float, pause_s: float) -> list[tuple[str, Path]]:
+    """The sentences of a list with their recordings, made if they are not there."""
+    lines = [line.replace("|P|", f"|{pause_s}|") for line in sentences(name)]
+    folder = SPOKEN / (f"{name}-{pause_s}" if pause_s else name)
+    made = folder / f"{voice}@{speed}"
+    if not made.is_dir():
+        with TemporaryDirectory() as work:
+            listed = Path(work, "list.tsv")
+            listed.write_text("".join(f"{at}\t{text}\n" for at, text in enumerate(lines)))
+            script = HERE.parent / "scripts" / "make_speech.py"
+            options = ["--voice", voice, "--stretch", str(speed)]
+            subprocess.run([sys.executable, script, listed, work, *options], check=True)
+            made.parent.mkdir(parents=True, exist_ok=True)
+            shutil.move(Path(work, voice), made)
+    texts = [re.sub(r" ?\|[^|]*\| ?", " ", line) for line in lines]
+    return [(text, made / f"{at}.wav") for at, text in enumerate(texts)]
+
+
+@dataclass
+class Measure:
+    """What was measured."""
+
+    whole: int = 0
+    count: int = 0
+    wrong: int = 0
+    sound_s: float = 0.0
+    spent_s: float = 0.0
+    lags: list[float] = field(default_factory=list)
+    stops: list[float] = field(default_factory=list)
+
+    def add(self, other: Measure) -> None:
+        for name in (entry.name for entry in fields(self)):
+            setattr(self, name, getattr(self, name) + getattr(other, name))
+
+    def cells(self) -> tuple[str, ...]:
+        lag = f"{statistics.median(self.lags):.2f}" if self.lags else "-"
+        stop = f"{max(self.stops):.2f}" if self.stops else "-"
+        shares = (str(self.whole), str(self.count), f"{100 * self.whole / self.count:.1f}")
+        return (*shares, lag, stop, str(self.wrong), f"{self.spent_s / self.sound_s:.3f}")
 
 
 def main() -> int:
     told = argparse.ArgumentParser()
     told.add_argument("--engine", choices=engines(), action="append")
-    told.add_argument("--list", action="append", dest="lists")
+    told.add_argument("--voice", choices=VOICES, action="append")
+    told.add_argument("--list", choices=LISTS, action="append", dest="lists")
     told.add_argument("--wrong", action="store_true", help="print what was heard wrong")
     asked = told.parse_args()
-    table = Table("engine", "voice", "list", "whole", "of", "lag s", "stop s", "false", "per s")
+    table = Table("engine", "list", "voice", "speed", "pause", *COLUMNS)
     console = Console()
     for engine in asked.engine or engines():
         with Transcriber(Engine(engine), automaton(TAUGHT)) as transcriber:
             transcriber.start()
-            for name in asked.lists or ("demonstration", "others", "chatter"):
-                for voice in VOICES:
-                    row = measure(transcriber, name, voice, asked.wrong)
-                    table.add_row(engine, voice, name, *row)
-                    print(engine, voice, name, *row, flush=True)
+            for name in asked.lists or LISTS:
+                total = Measure()
+                for speed in SPEEDS.get(name, (1.0,)):
+                    for pause_s in PAUSES_S.get(name, (0.0,)):
+                        for voice in asked.voice or VOICES:
+                            heard = spoken(name, voice, speed, pause_s)
+                            row = measure(transcriber, name, heard, asked.wrong and voice)
+                            cells = (engine, name, voice, str(speed), str(pause_s), *row.cells())
+                            table.add_row(*cells)
+                            print(*cells, flush=True)
+                            total.add(row)
+                cells = (engine, name, "all", "", "", *total.cells())
+                table.add_row(*cells, end_section=True)
+                print(*cells, flush=True)
     console.print(table)
     return 0
 
 
-def measure(transcriber: Transcriber, name: str, voice: str, show: bool) -> list[str]:
-    whole = wrong = count = 0
-    lags: list[float] = []
-    stops: list[float] = []
-    sound_s = spent_s = 0.0
-    for text, path in spoken(name, voice):
+def measure(
+    transcriber: Transcriber, name: str, recordings: list[tuple[str, Path]], show: str
+) -> Measure:
+    found = Measure()
+    for text, path in recordings:
         samples = recording.read(path)
         length_s = len(samples) / RATE_HZ
         began = time.perf_counter()
         events: list[HearingEvent] = list(transcriber.transcribe(samples, parses))
-        spent_s += time.perf_counter() - began
-        sound_s += length_s
-        count += 1
+        found.spent_s += time.perf_counter() - began
+        found.sound_s += length_s
+        found.count += 1
         heard = [event for event in events if isinstance(event, Heard)]
-        found = [event for event in events if isinstance(event, StopWord)]
-        stops += [event.at_s - (length_s - TAIL_S) for event in found]
-        lags += [event.decided_s - event.ended_s for event in heard]
+        stops = [event for event in events if isinstance(event, StopWord)]
         right = len(heard) == 1 and normal(heard[0].text) == normal(text)
-        whole += right
-        wrong += bool(found) != (text == "stop") or (name == "chatter" and bool(heard))
-        if show and (heard if name == "chatter" else not right):
-            print(f"{voice}: {text} -> {events[-1] if events else 'nothing'}")
-    lag = f"{statistics.median(lags):.2f}" if lags else "-"
-    stop = f"{max(stops):.2f}" if stops else "-"
-    return [str(whole), str(count), lag, stop, str(wrong), f"{spent_s / sound_s:.3f}"]
+        found.whole += right
+        wrong = bool(stops) and text != "stop"
+        match name:
+            case "chatter":
+                wrong = wrong or bool(heard)
+            case "lessons":
+                wrong = wrong or any(moves(event.text) for event in heard)
+            case _:
+                found.stops += [event.at_s - (length_s - TAIL_S) for event in stops]
+                found.lags += [event.decided_s - event.ended_s for event in heard]
+        found.wrong += wrong
+        if show and (wrong if name == "chatter" else wrong or not right):
+            told = [
+                f"{type(event).__name__} {event.text}"
+                for event in events
+                if isinstance(event, Heard | NotHeard)
+            ]
+            print(f"  {show}: {text} -> {told} {'STOP' if stops else ''}", flush=True)
+    return found
 
 
 if __name__ == "__main__":

@@ -22,6 +22,9 @@ from grammars.vocabulary import Vocabulary
 from kernel.memory.meaning import Utterance
 
 QUIET_S: Final = 0.1
+BEFORE_S: Final = (
+    1.0  # of quiet before a recording, which takes no time: the room in which it is said
+)
 VERDICT_S: Final = 0.02  # a block takes the recogniser a few ms
 LONGEST_QUIET_S: Final = 6.0  # more than the longest wait for the rest of a sentence
 
@@ -69,6 +72,8 @@ class Listening:
             async with asyncio.timeout(PATIENCE_S):
                 while not ear.idle:  # noqa: ASYNC110 - new words come first: they may be in it
                     await asyncio.sleep(VERDICT_S)
+            for _ in range(round(BEFORE_S / QUIET_S)):
+                ear.hear(quiet)
             await play(samples, ear)
             for _ in range(round(LONGEST_QUIET_S / QUIET_S)):
                 await asyncio.sleep(VERDICT_S)

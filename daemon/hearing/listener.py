@@ -4,7 +4,7 @@ and in virtual time."""
 from __future__ import annotations
 
 from collections import deque
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field
 
 import numpy as np
@@ -20,7 +20,9 @@ LOOK_EVERY = 3
 """Frames between two looks at the hypothesis; at its beginning, where a "stop" would be, every frame is looked at."""
 BEGINNING_S = 2.0
 LEAD_S = 0.2
-"""Sound kept from before the speech began: soft first consonants, and the silence the engines begin in."""
+"""Sound the engines hear from before the speech: soft first consonants, and the silence they begin in."""
+ONSET_S = 0.3
+"""Sound in which the beginning of the speech is looked for."""
 PADDING_S = 0.3
 """Silence added for the engine at the end: with 0.3 s of its own, 4 % fewer sentences came out whole."""
 TRAIL_S = 0.5
@@ -49,6 +51,7 @@ class _Utterance:
     changed_s: float = 0.0
     gated: bool = False
     again: bool = False
+    chance: np.random.Generator = field(default_factory=lambda: np.random.default_rng(0))
     frames: int = 0
     unfed: deque[Samples] = field(default_factory=lambda: deque(maxlen=round(LEAD_S / FRAME_S)))
 
@@ -71,9 +74,8 @@ class Listener:
         self._activity = VoiceActivity()
         self._spotter = StopSpotter(robot_name)
         self._rest: Samples = np.zeros(0, np.int16)
-        self._chance = np.random.default_rng(0)
-        self._heard_frames = 0
-        self._lead: deque[Samples] = deque(maxlen=round(LEAD_S / FRAME_S))
+        self._heard = 0
+        self._before: Samples = np.zeros(round((LEAD_S + ONSET_S) * RATE_HZ), np.int16)
         self._utterance: _Utterance | None = None
         self._unfinished: _Utterance | None = None
         self._lesson_ended_s = -endpoint.JOIN_S
@@ -83,7 +85,11 @@ class Listener:
     @property
     def now_s(self) -> float:
         """Audio time: how much has been heard."""
-        return self._heard_frames * FRAME_S
+        return self._heard / RATE_HZ
+
+    def _since(self, moment_s: float) -> float:
+        """Seconds since then; rounded, as 0.3 s of silence must be 0.3 s wherever it began."""
+        return round(self.now_s - moment_s, 6)
 
     @property
     def idle(self) -> bool:
@@ -101,43 +107,63 @@ class Listener:
         self._rest = np.concatenate([self._rest, samples])
         while len(self._rest) >= FRAME:
             frame, self._rest = self._rest[:FRAME], self._rest[FRAME:]
-            self._heard_frames += 1
+            self._heard += FRAME
             loud = self._activity.loud(frame)
-            frame = self._dithered(frame)
+            self._before = np.concatenate([self._before[FRAME:], frame])
             if self._utterance is None:
-                yield from self._wait(frame)
+                yield from self._wait()
             else:
                 yield from self._follow(self._utterance, frame, loud, gated)
 
-    def _dithered(self, samples: Samples) -> Samples:
-        noisy = samples + self._chance.normal(0.0, DITHER, len(samples))
-        return np.clip(np.round(noisy), -32768, 32767).astype(np.int16)
-
-    def _wait(self, frame: Samples) -> Iterator[CoreEvent]:
-        self._lead.append(frame)
+    def _wait(self) -> Iterator[CoreEvent]:
         if self._activity.begun:
             self._begin()
             return
         held = self._unfinished
-        if held and self.now_s - held.spoken_s >= endpoint.LONG_WAIT_S + endpoint.JOIN_S:
+        if held and self._since(held.spoken_s) >= endpoint.LONG_WAIT_S + endpoint.JOIN_S:
             self._unfinished = None
             yield NotHeard(held.began_s, held.spoken_s, self.now_s, "unfinished", held.text)
 
     def _begin(self) -> None:
-        """Speech begins. What goes on from an unfinished utterance is heard together with it, from its sound."""
-        held, self._unfinished = self._unfinished, None
-        began_s = held.began_s if held else self.now_s - len(self._lead) * FRAME_S
-        sound = [*(held.sound if held else ()), *self._lead]
-        self._utterance = _Utterance(began_s, held is not None, sound, self.now_s, self.now_s)
-        self._engine.reset()
-        for frame in sound:
-            self._engine.feed(frame)
-        if held:
-            self._hear_apart(self._utterance, self._lead)
-        self._spotter.reset()
-        self._lead.clear()
+        """Speech begins. What goes on from an unfinished utterance is heard together with it, from its sound.
 
-    def _hear_apart(self, utterance: _Utterance, lead: deque[Samples]) -> None:
+        What the engine hears is counted from the first loud sample, and its noise drawn anew: the same speech is then
+        the same to it, whatever came before and wherever its blocks happened to be cut.
+        """
+        held, self._unfinished = self._unfinished, None
+        sound = self._before[self._onset() :]
+        whole = len(sound) // FRAME * FRAME
+        again = len(sound) - whole
+        self._rest = np.concatenate([sound[whole:], self._rest])
+        self._before = np.concatenate(
+            [self._before[:again], self._before[: len(self._before) - again]]
+        )
+        self._heard -= again
+        began_s = held.began_s if held else self.now_s - whole / RATE_HZ
+        heard = list(held.sound) if held else []
+        utterance = _Utterance(began_s, held is not None, heard, self.now_s, self.now_s)
+        if held:
+            utterance.chance = held.chance
+        self._utterance = utterance
+        self._engine.reset()
+        for frame in heard:
+            self._engine.feed(frame)
+        lead = [
+            _dithered(frame, utterance.chance) for frame in np.split(sound[:whole], whole // FRAME)
+        ]
+        self._spotter.reset()
+        self._feed(utterance, *lead)
+        if held:
+            self._hear_apart(utterance, lead)
+
+    def _onset(self) -> int:
+        """Place in the sound before, LEAD_S ahead of where it grows loud."""
+        lead, width = round(LEAD_S * RATE_HZ), FRAME // 4
+        power = np.cumsum(np.square(self._before[lead - width :].astype(np.float64)))
+        loud = power[width:] - power[:-width] >= width * self._activity.loud_power
+        return int(np.argmax(loud))
+
+    def _hear_apart(self, utterance: _Utterance, lead: Iterable[Samples]) -> None:
         utterance.again, utterance.resumed_s = True, self.now_s
         self._spotter.reset()
         self._spare.reset()
@@ -148,19 +174,20 @@ class Listener:
         self, utterance: _Utterance, frame: Samples, loud: bool, gated: bool
     ) -> Iterator[CoreEvent]:
         utterance.gated |= gated
-        silence_s = self.now_s - utterance.spoken_s
+        silence_s = self._since(utterance.spoken_s)
         if loud and (silence_s <= CLICK_S or self._activity.begun):
             if silence_s >= PAUSE_S:
                 self._hear_apart(utterance, utterance.unfed)
             utterance.spoken_s = self.now_s
+        frame = _dithered(frame, utterance.chance)
         utterance.unfed.append(frame)
-        if self.now_s - utterance.spoken_s <= TRAIL_S:
+        if self._since(utterance.spoken_s) <= TRAIL_S:
             if silence_s > TRAIL_S:
                 self._feed(utterance, *utterance.unfed)
             else:
                 self._feed(utterance, frame)
         utterance.frames += 1
-        if utterance.frames % LOOK_EVERY == 0 or self.now_s - utterance.resumed_s < BEGINNING_S:
+        if utterance.frames % LOOK_EVERY == 0 or self._since(utterance.resumed_s) < BEGINNING_S:
             yield from self._look(utterance)
 
     def _feed(self, utterance: _Utterance, *frames: Samples) -> None:
@@ -177,20 +204,21 @@ class Listener:
             if text and not utterance.gated:
                 yield Partial(self.now_s, text)
         heard = self._spare.partial() if utterance.again else text
-        if word := self._spotter.heard(heard, self.now_s - utterance.spoken_s >= QUIET_S):
+        if word := self._spotter.heard(heard, self._since(utterance.spoken_s) >= QUIET_S):
             yield StopWord(self.now_s, word)
         wait_s = endpoint.wait_s(text, self._language)
         settled_s = endpoint.SETTLED_S * (1 if wait_s == endpoint.SHORT_WAIT_S else 2)
         settled = (
-            self._language.accepts(text.split()) and self.now_s - utterance.changed_s >= settled_s
+            self._language.accepts(text.split()) and self._since(utterance.changed_s) >= settled_s
         )
         too_long = self.now_s - utterance.began_s >= endpoint.LONGEST_S
-        if self.now_s - utterance.spoken_s >= wait_s or settled or too_long:
+        if self._since(utterance.spoken_s) >= wait_s or settled or too_long:
             yield from self._end(utterance, too_long)
 
     def _end(self, utterance: _Utterance, cut: bool) -> Iterator[CoreEvent]:
         self._utterance = None
-        self._engine.feed(self._dithered(np.zeros(round(PADDING_S * RATE_HZ), np.int16)))
+        silence = np.zeros(round(PADDING_S * RATE_HZ), np.int16)
+        self._engine.feed(_dithered(silence, utterance.chance))
         found = self._engine.final()
         if utterance.gated:
             return
@@ -207,3 +235,8 @@ class Listener:
         if endpoint.is_open(best):
             self._lesson_ended_s = self.now_s
         yield Ended(*times, tuple((text, confidence) for text, confidence in found), cut)
+
+
+def _dithered(samples: Samples, chance: np.random.Generator) -> Samples:
+    noisy = samples + chance.normal(0.0, DITHER, len(samples))
+    return np.clip(np.round(noisy), -32768, 32767).astype(np.int16)

@@ -34,7 +34,7 @@ class VoiceActivity:
         """Take the next frame; whether it is louder than the room."""
         level = level_db(frame)
         self._levels.append(level)
-        loud = level > max(self.floor_db + ABOVE_FLOOR_DB, QUIETEST_DB)
+        loud = level > self._loud_db
         self._loud.append(loud)
         return loud
 
@@ -42,6 +42,15 @@ class VoiceActivity:
     def begun(self) -> bool:
         """Whether the last frames sound like the beginning of speech."""
         return sum(self._loud) >= ONSET_FRAMES
+
+    @property
+    def loud_power(self) -> float:
+        """Mean square of the samples from which on sound is loud."""
+        return float(10.0 ** (self._loud_db / 10.0)) * 32768.0**2
+
+    @property
+    def _loud_db(self) -> float:
+        return max(self.floor_db + ABOVE_FLOOR_DB, QUIETEST_DB)
 
     @property
     def floor_db(self) -> float:

@@ -49,6 +49,11 @@ class ModelError(EngineError):
     """A Vosk model that cannot be used."""
 
 
+STEADY = "--dither=0\n"
+"""Kaldi's own noise is random, and the same sound never the same twice; the listener adds noise that is."""
+OVERLAYS = {"model.conf": OVERLAY, "mfcc.conf": STEADY}
+
+
 def load(model: str) -> tuple[VoskRecogniser, VoskRecogniser]:
     """Load a model folder, or the shipped model for "": two recognisers that share it.
 
@@ -96,7 +101,8 @@ class VoskRecogniser:
         return tuple(unheard)
 
     def reset(self) -> None:
-        """See Recogniser."""
+        """See Recogniser. Reset() alone would keep the means and the frames of an utterance that was not ended."""
+        self._engine.FinalResult()
         self._engine.Reset()
 
     def feed(self, samples: Samples) -> None:
@@ -178,16 +184,14 @@ def overlay(model: Path, folder: Path) -> None:
         return
     (folder / "conf").mkdir()
     for entry in settings.iterdir():
-        if entry.name != "model.conf":
+        if entry.name not in OVERLAYS:
             (folder / "conf" / entry.name).symlink_to(entry.resolve())
-    own = (
-        (settings / "model.conf").read_text(encoding="utf-8")
-        if (settings / "model.conf").is_file()
-        else ""
-    )
-    kept = [
-        line
-        for line in own.splitlines()
-        if "endpoint.rule" not in line and "frames-per-chunk" not in line
-    ]
-    (folder / "conf" / "model.conf").write_text("\n".join(kept) + "\n" + OVERLAY, encoding="utf-8")
+    for name, added in OVERLAYS.items():
+        own = settings / name
+        lines = own.read_text(encoding="utf-8").splitlines() if own.is_file() else []
+        kept = [line for line in lines if not _is_ours(line)]
+        (folder / "conf" / name).write_text("\n".join(kept) + "\n" + added, encoding="utf-8")
+
+
+def _is_ours(line: str) -> bool:
+    return any(option in line for option in ("endpoint.rule", "frames-per-chunk", "dither"))
