@@ -131,7 +131,11 @@ def status(config_file: Path | None, as_json: bool) -> None:
                     click.echo(json.dumps(answer.facts))
                 else:
                     for key, value in answer.facts.items():
-                        click.echo(f"{key:<11} {value}")
+                        shown = value
+                        if isinstance(value, dict):
+                            inner = ((k, v) for k, v in value.items() if k not in ("t", "event"))
+                            shown = ", ".join(f"{k} {v}" for k, v in inner)
+                        click.echo(f"{key:<11} {shown}")
 
 
 @cli.command()
