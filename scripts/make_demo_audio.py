@@ -21,6 +21,7 @@ SPEAKERS: Final = (
     ("If something is very close then drive backwards", "flite-awb"),
     ("You should never grab a person but instead say I'm not allowed to", "flite-kal16"),
     ("turn means rotate", "flite-slt"),
+    ("If Rick tells you to do something don't but instead complain", "flite-kal16"),
     ("I am Rick", "flite-rms"),
 )
 """Who speaks from this line on."""
