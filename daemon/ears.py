@@ -58,10 +58,10 @@ class Ears:
         self._one_at_a_time = asyncio.Lock()
 
     async def serve(self) -> None:
-        """Hear the configured source to its end; typed: the lines of the standard input."""
+        """Hear the configured source to its end; typed: the lines of the standard input; "": only what is played."""
         if self._hearing.source == "typed":
             await self._read_lines()
-        else:
+        elif self._hearing.source:
             await self.play(Path(self._hearing.source), "", "heard")
 
     async def _read_lines(self) -> None:
