@@ -13,7 +13,7 @@ from kernel.action.step import DIRECTIVES, Run
 from kernel.action.verdict import Verdict
 from kernel.commons import Commons
 from kernel.memory.attention import Focus
-from kernel.memory.lesson import Lesson
+from kernel.memory.lesson import Content, Lesson, LessonKind
 from kernel.memory.meaning import (
     Command,
     Control,
@@ -25,7 +25,9 @@ from kernel.memory.meaning import (
     Revision,
     Social,
     Teach,
+    Utterance,
 )
+from kernel.memory.notation import canonical
 from kernel.memory.reply import FactTaken, Greeted, Met, NotYet
 from kernel.net.graphlet import Graphlet
 from kernel.net.match import Binding
@@ -108,10 +110,9 @@ def _content(mind: Listener, commons: Commons, focus: Focus, heard: Heard) -> Ru
         case Command(chain):
             return (yield from frame.chain(chain))
         case Fact(fact, finds):
-            return (yield from _fact(commons, focus, fact, finds))
+            return (yield from _fact(mind, commons, focus, fact, finds))
         case Teach(kind, content):
-            utterance = heard.utterance
-            focus.lesson = Lesson(0, kind, content, utterance.text, mind.speaker, utterance.at_s)
+            focus.lesson = _lesson(mind, focus, kind, content)
             return (yield from frame.directive(Directive("ADD")))
         case Question() as question:
             if question.topic not in ("", "identity"):
@@ -136,8 +137,10 @@ def _content(mind: Listener, commons: Commons, focus: Focus, heard: Heard) -> Ru
     return Verdict.SUCCEEDED
 
 
-def _fact(commons: Commons, focus: Focus, fact: Graphlet, finds: tuple[Graphlet, ...]) -> Run:
-    """Look up or make what the fact is about, take it for true, react to it."""
+def _fact(
+    mind: Listener, commons: Commons, focus: Focus, fact: Graphlet, finds: tuple[Graphlet, ...]
+) -> Run:
+    """Look up or make what the fact is about, take it for true, keep it if it is to last, react to it."""
     memory = commons.memory
     frame = Frame(commons, focus, {})
     for find in finds:
@@ -148,22 +151,22 @@ def _fact(commons: Commons, focus: Focus, fact: Graphlet, finds: tuple[Graphlet,
         )
     frame.binding, carrying = memory.tell(fact, frame.binding)
     commons.record("fact", focus, text=" ".join(sorted(fact.words())))
-    commons.replies.append(FactTaken(fact, finds))
-    verdict = yield from noted(commons, focus, carrying)
     if _lasts(fact, finds):
         terms = {t.name: t for g in (*finds, fact) for t in g.terms}
-        whole = Graphlet(tuple(terms.values()), fact.main)
-        utterance = focus.heard.utterance if focus.heard else None
-        focus.lesson = Lesson(
-            0,
-            "fact",
-            whole,
-            utterance.text if utterance else "",
-            utterance.speaker if utterance else "",
-            utterance.at_s if utterance else 0.0,
-        )
-        yield from frame.directive(Directive("ADD"))
-    return verdict
+        whole = canonical(Graphlet(tuple(terms.values()), fact.main))
+        if all(lesson.content != whole for lesson in commons.lessons.values()):
+            focus.lesson = _lesson(mind, focus, "fact", whole)
+            stored = yield from frame.directive(Directive("ADD"))
+            if not stored.ok:
+                return stored
+    commons.replies.append(FactTaken(fact, finds))
+    return (yield from noted(commons, focus, carrying))
+
+
+def _lesson(mind: Listener, focus: Focus, kind: LessonKind, content: Content) -> Lesson:
+    """The lesson of an utterance, not stored yet."""
+    utterance = focus.heard.utterance if focus.heard else Utterance("")
+    return Lesson(0, kind, content, utterance.text, mind.speaker, utterance.at_s)
 
 
 def _lasts(fact: Graphlet, finds: tuple[Graphlet, ...]) -> bool:

@@ -110,9 +110,8 @@ class Frame:
             return Verdict.FAILED
         verdict = yield from code(RunningStep(self, directive))
         if verdict is Verdict.PUNTED and directive.tag != "PUNT":
-            return (
-                Verdict.FAILED
-            )  # what was punted is the chain below; this one may try another way
+            # What was punted is the chain below; this one may try another way.
+            return Verdict.FAILED
         return verdict
 
     def options(self, find: Directive, later: Sequence[Directive]) -> Iterator[Binding]:
