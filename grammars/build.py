@@ -47,15 +47,18 @@ class Build(Things):
         if action.value is not None:
             action = AList(action.name, (AList("act", value=action.value),))
         verb, way = self._verb(action)
+        if action.slot("dir") == "for" and self._particle != "for":
+            raise NoMeaningError(str(action))
         links: dict[str, str] = {}
-        if (iobj := action.find("iobj")) is not None:
-            links["dest"] = self.thing(iobj.first("np"), person=True)
         if (obj := action.find("np")) is not None:
             links["obj"] = self.thing(obj)
+            self.topic = links["obj"] if self.trigger else self.topic
         if (where := action.find("whereis")) is not None:
             links["obj"] = self._whereabouts(where)
+        if (iobj := action.find("iobj")) is not None:
+            links["dest"] = self.thing(iobj.first("np"), person=True)
         if (dest := action.find("dest")) is not None:
-            links["dest"] = self.thing(dest.first("np"))
+            links["dest"] = self.aside(dest.first("np"))
         act = self.add("act", verb, **links)
         if way:
             self.add("dir", way, dir=act)
@@ -88,6 +91,8 @@ class Build(Things):
                 self._manner(act, part)
             elif part.name == "amt":
                 number = part.slot("num", "1")
+                if part.has("more_half"):
+                    number = f"{float(number) + 0.5:g}"
                 self.add("amt", part.slot("unit") or part.value or "", literal=number, amt=act)
             elif part.name == "cnt":
                 self.add("cnt", literal=count(part), cnt=act)
@@ -107,7 +112,8 @@ class Build(Things):
             raise NoMeaningError(str(speech))
         txt = self.add("txt", literal=quote)
         links = {"obj": txt}
-        if (hearer := speech.find("hearer", "listener")) is not None:
+        hearer = speech.find("hearer", "listener")
+        if hearer is not None and hearer.parts:
             links["dest"] = self.thing(hearer.find("np") or hearer, person=True)
         act = self.add("act", verb, **links)
         if (cnt := speech.find("cnt")) is not None:

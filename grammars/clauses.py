@@ -18,17 +18,19 @@ def flat(conds: AList) -> list[AList]:
 def condition(build: Build, conds: AList) -> Graphlet:
     """All conditions in one graphlet; main is the predicate of the first."""
     with build.drawing(pattern=True):
-        mains = [clause(build, part) for part in flat(conds)]
+        first, *more = flat(conds)
+        mains = [clause(build, first, topical=True), *(clause(build, part) for part in more)]
         return build.graphlet(mains[0])
 
 
-def clause(build: Build, part: AList, subject: str = "") -> str:
+def clause(build: Build, part: AList, subject: str = "", topical: bool = False) -> str:
     """Draw a clause on the present board; the node of its predicate.
 
     Args:
         build: the drawing.
         part: the bracket that holds the clause's parts.
         subject: node it is about, where that is no noun phrase of the clause.
+        topical: its subject is what the sentence is about.
     """
     build.negative = False
     negated = part.has("neg") or part.has("not_has")
@@ -41,9 +43,10 @@ def clause(build: Build, part: AList, subject: str = "") -> str:
     if subject:
         agent = subject
     elif objects:
-        agent = build.thing(objects.pop(0))
+        agent = _subject(build, objects.pop(0), part)
     else:
         raise NoMeaningError(str(part))
+    build.topic = agent if topical else build.topic
     negated = negated or build.negative
     if (pred := part.find("pred")) is not None:
         return build.predicate(agent, pred, negated)
@@ -64,6 +67,14 @@ def clause(build: Build, part: AList, subject: str = "") -> str:
         owned = build.thing(objects[0])
         return build.add("act", "have", agt=agent, obj=owned, negated=negated or build.negative)
     raise NoMeaningError(str(part))
+
+
+def _subject(build: Build, np: AList, part: AList) -> str:
+    """Node of a clause's subject; who has a name may be "it" too: "unless it is Mary"."""
+    pred = part.find("pred")
+    if np.slot("pron") == "it" and pred is not None and pred.has("isname"):
+        return build.pronoun("they")
+    return build.thing(np)
 
 
 def _exists(build: Build, exists: AList) -> str:
@@ -99,7 +110,7 @@ def _doing(build: Build, part: AList, agent: str, objects: list[AList], negated:
     elif body.has("name"):
         links["obj"] = build.thing(body, person=False)
     if (dest := body.find("dest")) is not None:
-        links["dest"] = build.thing(dest.first("np"))
+        links["dest"] = build.aside(dest.first("np"))
     act = build.add("act", verb, negated=negated or build.negative, **links)
     build.modifiers(act, body)
     if going is not None and body is part and objects:

@@ -5,7 +5,7 @@ set phrases, taught verbs of several words, stammering, the speaker's own correc
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Final
 
 from grammars.morphology import readings as inflected
@@ -17,6 +17,9 @@ from grammars.vocabulary import OPEN, Vocabulary
 ADDRESS: Final = frozenset(
     "hey okay robot now please well so alright listen kindly for me then thanks".split()
 )
+# Words after a name that tell of what kind somebody is.
+CALLING: Final = ("called", "named")
+NAMING: Final = [[verb, article] for verb in ("is", "'s") for article in ("a", "an")]
 
 
 @dataclass(frozen=True, slots=True)
@@ -55,7 +58,13 @@ class Lexer:
 
     def tokens(self, found: Sequence[Piece], guessing: bool) -> list[Token]:
         """The lattice; guessing lets the position of a strange word decide what it is."""
-        return [self._token(at, piece, guessing) for at, piece in enumerate(found)]
+        tokens = [self._token(at, piece, guessing) for at, piece in enumerate(found)]
+        for at, token in enumerate(tokens):
+            if _may_be_name(token, found[at - 1] if at else None, found[at + 1 : at + 3]):
+                tokens[at] = replace(
+                    token, readings={**token.readings, "NAMELIKE": token.piece.text}
+                )
+        return tokens
 
     def _token(self, at: int, piece: Piece, guessing: bool) -> Token:
         match piece.kind:
@@ -94,8 +103,18 @@ def _strange(piece: Piece, guessing: bool) -> dict[str, str]:
     if piece.capital:
         readings["PROPER"] = piece.text
     if guessing:
-        readings["UNK"] = piece.text
+        manner = piece.text.endswith("ly") and len(piece.text) > len("early")
+        readings["ADV" if manner else "UNK"] = piece.text
     return readings
+
+
+def _may_be_name(token: Token, before: Piece | None, after: Sequence[Piece]) -> bool:
+    """A word that stands where a name does: written as one, told as one ("called Spot"), or a quality that is said to
+    be of some kind ("Fluffy is a kitten")."""
+    if before is None:
+        return "ADJ" in token.readings and [piece.text for piece in after] in NAMING
+    told = token.piece.capital or before.text in CALLING
+    return told and not token.readings.keys().isdisjoint(("ADJ", "NOUN"))
 
 
 def variants(found: list[Piece], vocabulary: Vocabulary) -> Iterator[list[Piece]]:
@@ -105,6 +124,7 @@ def variants(found: list[Piece], vocabulary: Vocabulary) -> Iterator[list[Piece]
     once = without_repeats(found)
     for variant in (
         _as_phrase(found, vocabulary),
+        _as_phrase(once, vocabulary),
         _with_phrases(found, vocabulary),
         found,
         once,

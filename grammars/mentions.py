@@ -9,6 +9,8 @@ SELF: Final = {"you": "you", "yourself": "you", "me": "me", "i": "me"}
 SELF_OWN: Final = {"my": "me", "your": "you"}
 OWNING: Final = {"his": "he", "her": "she", "its": "it", "their": "they", "our": "we"}
 PERSONAL: Final = frozenset("him her he she".split())
+OF_WOMEN: Final = frozenset(("she", "her"))
+OF_MEN: Final = frozenset(("he", "him"))
 PERSON_WORDS: Final = frozenset("someone somebody anyone anybody nobody".split()) | {
     "someone else",
     "no one",
@@ -17,6 +19,15 @@ NOBODY: Final = frozenset(("nothing", "nobody", "no one"))
 PERSONS: Final = frozenset(
     "person man woman boy girl child kid baby human guest visitor stranger friend neighbor owner".split()
 )
+_NAMES_OF_WOMEN: Final = """
+mary janey mom jane sue ann anna anne alice emma olivia sophia emily elizabeth sarah sally susan lucy molly nancy
+grandma mommy
+"""
+WOMEN: Final = frozenset(_NAMES_OF_WOMEN.split())
+_FEMALE: Final = (
+    frozenset("girl woman mother sister daughter aunt grandmother wife niece".split()) | WOMEN
+)
+_MALE: Final = frozenset("boy man father brother son uncle grandfather husband nephew".split())
 ANY_KIND: Final = frozenset(("thing", "object", "item", "stuff"))
 REFS: Final = {"the": "the", "this": "this", "that": "that", "these": "this", "those": "that"}
 PLACES: Final = {
@@ -40,14 +51,32 @@ PLACES: Final = {
 
 @dataclass
 class Thing:
-    """Something mentioned: its node and what it was called, for later "it" and "the block"."""
+    """Something mentioned, for later "it" and "the block".
+
+    Attributes:
+        name: of its node.
+        kind: what it was called.
+        person: it is one.
+        called: its own name.
+        aside: it only tells where something else is, or where to: a landmark.
+    """
 
     name: str
     kind: str = ""
     person: bool = False
-    named: bool = False
+    called: str = ""
+    aside: bool = False
 
     @property
     def settled(self) -> bool:
         """It is known whether it is a person; "something" may be either."""
-        return self.person or self.named or bool(self.kind)
+        return self.person or bool(self.called or self.kind)
+
+    def may_be(self, pronoun: str) -> bool:
+        """Whether the pronoun can mean it: persons are he or she, things are it, they may be either."""
+        if pronoun in ("they", "them") or not self.settled:
+            return True
+        if pronoun not in PERSONAL:
+            return not self.person and not self.called
+        wrong = _MALE if pronoun in OF_WOMEN else _FEMALE
+        return self.person and not {self.kind, self.called} & wrong

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Container, Sequence
 from functools import cache
 from typing import Final
@@ -14,29 +15,47 @@ from grammars.registry import discover
 NEAR_ENOUGH: Final = (
     60.0  # rapidfuzz's percentage; below it the suggestion is not about the same thing
 )
-SHORTEST: Final = 3  # letters of a word that may be a typo
+SHORTEST: Final = 4  # letters of a word that may be a typo; of one that builds sentences one less
+
+UNLIKELY: Final = 2
+OTHER_WORD: Final = 3  # sort of a slip that is none
 
 
-def near_words(word: str, words: Sequence[str], common: Container[str] = frozenset()) -> list[str]:
-    """Words one slip away (a letter too many, too few, wrong, or two swapped), likeliest first, at most four.
+def near_words(
+    word: str, words: Sequence[str], common: Container[str] = frozenset(), likely: bool = True
+) -> list[str]:
+    """Words one slip away, in alphabetical order; all of them are as likely.
+
+    Two letters swapped are the likeliest slip, then a letter left out or doubled; a wrong letter or one too many is as
+    likely another word that nobody taught.
 
     Args:
         word: as typed.
         words: to choose from.
-        common: words that come before others of the same likelihood.
+        common: words that build sentences; others are not looked for behind a very short word.
+        likely: slips of the first two sorts; else of the last.
     """
-    if len(word) < SHORTEST:
-        return []
     found = process.extract(word, words, scorer=OSA.distance, score_cutoff=1, limit=None)
-    near = {other for other, distance, _ in found if distance == 1 and len(other) >= SHORTEST}
-    return sorted(near, key=lambda other: (*_slip(word, other), other not in common, other))[:4]
+    near = [
+        (slip, other)
+        for other, distance, _ in found
+        if distance == 1 and (len(word) >= SHORTEST or other in common)
+        if (slip := _slip(word, other)) != OTHER_WORD and (slip < UNLIKELY) == likely
+    ]
+    likeliest = min(near, default=(OTHER_WORD, ""))[0]
+    return sorted(other for slip, other in near if slip == likeliest)
 
 
-def _slip(typed: str, meant: str) -> tuple[int, int]:
-    """Likelihood of a slip: swapped letters, then a letter left out, then the rest; same first letter first."""
-    swapped = sorted(typed) == sorted(meant)
-    kind = 0 if swapped else 1 if len(meant) > len(typed) else 2
-    return kind, int(typed[0] != meant[0])
+def _slip(typed: str, meant: str) -> int:
+    """The sort of a slip, the likeliest first."""
+    if sorted(typed) == sorted(meant):
+        return 0
+    if typed[0] != meant[0] or len(typed) < SHORTEST - 1:
+        return OTHER_WORD
+    doubled = re.sub(r"(.)\1", r"\1", typed) == re.sub(r"(.)\1", r"\1", meant)
+    if len(meant) > len(typed) or doubled:
+        return 1
+    return UNLIKELY if len(typed) > SHORTEST else OTHER_WORD
 
 
 @cache

@@ -121,15 +121,15 @@ class Grammar:
             for rule, head in heads
         }
 
-    def forest(self, tokens: Sequence[Token]) -> Any:
-        """The shared forest of all derivations.
+    def forest(self, tokens: Sequence[Token], symbol: str = "start") -> Any:
+        """The shared forest of all derivations of the symbol.
 
         Raises:
             BrokenOffError: there is none.
         """
         parse_lattice: Any = self.parser.parse
         try:
-            return parse_lattice(_Lattice(self, tokens), "start")
+            return parse_lattice(_Lattice(self, tokens), symbol)
         except UnexpectedInput as error:
             token = getattr(error, "token", None)
             at = token.index if isinstance(token, Token) else len(tokens)
@@ -201,6 +201,16 @@ def _idioms() -> frozenset[tuple[str, ...]]:
     return frozenset(tuple(piece.text for piece in pieces(line)) for line in lines("idioms"))
 
 
+@cache
+def _openings() -> frozenset[tuple[str, ...]]:
+    return frozenset(tuple(piece.text for piece in pieces(line)) for line in lines("openings"))
+
+
+def _is_chatter(words: tuple[str, ...]) -> bool:
+    """A saying, or what starts as nothing but a saying does."""
+    return words in _idioms() or any(words[: len(start)] == start for start in _openings())
+
+
 def productions() -> tuple[Production, ...]:
     """Every rule; a set phrase is a rule of its category."""
     words = {name: f'"{word}"' for word, name in grammar().literal.items()}
@@ -237,7 +247,7 @@ def parse(text: str, vocabulary: Vocabulary = BORN, expecting: object = None) ->
     if not isinstance(text, str) or not text.isprintable() or len(text) > MOST_LETTERS:
         raise NotUnderstoodError(str(text)[:MOST_LETTERS])
     found = pieces(text)
-    if not found or len(found) > MOST_WORDS or tuple(p.text for p in found) in _idioms():
+    if not found or len(found) > MOST_WORDS or _is_chatter(tuple(p.text for p in found)):
         raise NotUnderstoodError(text)
     reader = Reader(text, Lexer(vocabulary, grammar().literal), grammar().forest, grammar().cost)
     strange = [at for at, piece in enumerate(found) if reader.lexer.strange(piece)]

@@ -40,6 +40,17 @@ class Tree:
             else:
                 yield child
 
+    def quotes(self) -> Iterator[list[Leaf]]:
+        """Words of each quote that has no quotation marks."""
+        if self.rule.origin.name == "quote":
+            words = list(self.leaves())
+            if words[0][0] == "ANYWORD":
+                yield words
+            return
+        for child in self.children:
+            if isinstance(child, Tree):
+                yield from child.quotes()
+
     def guessed(self) -> tuple[str, ...]:
         """Unknown words used other than in quotes."""
         words = (leaf[1].piece.text for leaf in self.leaves() if _is_guess(leaf))
@@ -129,6 +140,6 @@ def _quote(tree: Tree, text: str) -> str:
     if pieces[0].kind == "quote":
         return pieces[0].text
     words = [piece.text for piece in pieces]
-    if words[0] in BUILDERS or sum(word in BUILDERS for word in words) > 1:
+    if (words[0] in BUILDERS and len(words) > 2) or sum(word in BUILDERS for word in words) > 1:
         return ""
     return re.sub(r"\s+", " ", text[pieces[0].begin : pieces[-1].end]).strip()

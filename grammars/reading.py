@@ -13,12 +13,13 @@ from grammars.build import NoMeaningError
 from grammars.lattice import Lexer, Token, variants
 from grammars.nearest import near_words
 from grammars.normalise import Piece
-from grammars.ranking import Ranking, to_alist
+from grammars.ranking import Ranking, Tree, to_alist
 from grammars.registry import discover
 from kernel.memory.meaning import Meaning
 
 MOST_REPAIRED: Final = 2  # typos in one sentence
 MOST_REPAIRS: Final = 9  # ways to repair them that are tried
+CONDITIONALS: Final = frozenset("if when whenever unless until while".split())
 
 
 class BrokenOffError(Exception):
@@ -61,14 +62,14 @@ class Reader:
     Attributes:
         text: as given.
         lexer: turns its words into tokens.
-        derive: the forest of all derivations of tokens.
+        derive: the forest of all derivations of tokens, as a sentence or as what else is named.
         cost: of each rule of the grammar, by its id.
         reached: how many words the best attempt took.
     """
 
     text: str
     lexer: Lexer
-    derive: Callable[[Sequence[Token]], Any]
+    derive: Callable[..., Any]
     cost: Mapping[int, int]
     reached: int = 0
 
@@ -78,10 +79,22 @@ class Reader:
             yield from self.read(variant)
         # Where reading broke off before the first strange word, another word in its place cannot help.
         if 0 < len(strange) <= MOST_REPAIRED and strange[0] <= self.reached:
-            for variant, repaired in self.corrected(found, strange):
-                yield from self.read(variant, repaired=repaired)
+            yield from self.repaired(found, strange, likely=True)
             if len(strange) == 1:
                 yield from self.read(found, guessing=True)
+            yield from self.repaired(found, strange, likely=False)
+
+    def repaired(
+        self, found: list[Piece], strange: Sequence[int], likely: bool
+    ) -> Iterator[Parsed]:
+        """What it means with its typos repaired, if that can be one thing only."""
+        readings = [
+            reading
+            for variant, repaired in self.corrected(found, strange, likely)
+            for reading in self.read(variant, repaired=repaired)
+        ]
+        if len(readings) == 1:
+            yield from readings
 
     def read(
         self,
@@ -98,23 +111,43 @@ class Reader:
         made = [
             (alist, tree.guessed(), *meant)
             for tree in Ranking(self.cost, {}).best(forest)
+            if not self.swallows(tree)
             if (meant := _built(alist := to_alist(tree, self.text))) is not None
         ]
         for alist, unknown, kind, meaning in made[:1]:
             others = tuple(other for other, *_ in made[1:])
             yield Parsed(self.text, kind, meaning, alist, unknown, repaired, len(made), others)
 
+    def swallows(self, tree: Tree) -> bool:
+        """A quote without quotation marks runs on over a condition: "say hi unless Mary is near" says no such thing."""
+        return any(
+            token.piece.text in CONDITIONALS and self.is_condition([t for _, t in words[at:]])
+            for words in tree.quotes()
+            for at, (_, token) in enumerate(words[:-1], start=1)
+            if at > 1
+        )
+
+    def is_condition(self, tokens: Sequence[Token]) -> bool:
+        """The words are clauses."""
+        try:
+            self.derive(tokens, "conds")
+        except BrokenOffError:
+            return False
+        return True
+
     def corrected(
-        self, found: list[Piece], places: Sequence[int]
+        self, found: list[Piece], places: Sequence[int], likely: bool
     ) -> Iterator[tuple[list[Piece], tuple[tuple[str, str], ...]]]:
         """The sentence with its strange words replaced by near ones."""
-        words = (*self.lexer.vocabulary.everything, *self.lexer.literal)
+        known, literal = self.lexer.vocabulary, self.lexer.literal
+        words = tuple({*known.everything, *literal})
+        builders = {word for word in literal if not known.readings(word)}
         choices: list[list[Piece]] = [found]
         for at in places:
             choices = [
                 [*done[:at], Piece("word", word, found[at].begin, found[at].end), *done[at + 1 :]]
                 for done in choices
-                for word in near_words(found[at].text, words, self.lexer.literal)
+                for word in near_words(found[at].text, words, builders, likely)
             ]
         for variant in choices[:MOST_REPAIRS]:
             yield variant, tuple((found[at].text, variant[at].text) for at in places)

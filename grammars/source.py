@@ -11,10 +11,16 @@ from grammars.vocabulary import set_phrases
 
 CATEGORIES: Final = (
     "VERB VERBS VERBING VERBED GIVE MOTION STATE STATES NOUN NOUNS ADJ ADJER ADJEST ADV DEG DIR PROPER PLACE NUM UNIT"
-    " PREP ORD QUOTED ANYWORD NEWING OPENWORD STRANGE UNK _COMMA"
+    " PREP ORD QUOTED ANYWORD NAMELIKE NEWING OPENWORD STRANGE UNK _COMMA"
 ).split()
 # What it costs to take a word as something else than it is known to be; a set phrase is a little better than its words.
-TERMINAL_COST: Final[dict[str, int]] = {"ANYWORD": 2, "OPENWORD": 1, "STRANGE": 3, "UNK": 10}
+TERMINAL_COST: Final[dict[str, int]] = {
+    "ANYWORD": 2,
+    "OPENWORD": 1,
+    "NAMELIKE": 2,
+    "STRANGE": 3,
+    "UNK": 10,
+}
 SET_PHRASE_COST: Final = -1
 
 

@@ -48,6 +48,7 @@ class Things:
         negative: the clause being drawn had "nothing" or "nobody" in it.
         trigger: the pattern is what a deed is matched with: "somebody" may be anything there, as nobody need have
             said that Mary is a person before "greet Mary" greets somebody.
+        topic: subject of the sentence's first condition, or object of the deed that triggers.
     """
 
     sketch: Sketch = field(default_factory=Sketch)
@@ -58,6 +59,7 @@ class Things:
     negative: bool = False
     telling: bool = False
     trigger: bool = False
+    topic: str = ""
 
     @contextmanager
     def drawing(self, pattern: bool, trigger: bool = False) -> Iterator[list[str]]:
@@ -93,9 +95,17 @@ class Things:
         if pron:
             return self.pronoun(pron)
         det, kind = np.slot("det"), np.slot("ako") or np.slot("akos")
-        if det in ("the", "that", "this") and (same := self._same(np, kind)):
+        if (np.has("name") or det in ("the", "that", "this")) and (same := self._same(np, kind)):
             return same
         return self._described(np, det, kind, person)
+
+    def aside(self, np: AList) -> str:
+        """Node of a thing that tells where something is, or where to."""
+        before = len(self.things)
+        name = self.thing(np)
+        for thing in self.things[before:]:
+            thing.aside = True
+        return name
 
     def oneself(self, who: str) -> str:
         """Node of the robot ("you") or the speaker ("me")."""
@@ -105,13 +115,16 @@ class Things:
         return self.add("obj", who)
 
     def pronoun(self, word: str) -> str:
-        """The newest thing mentioned that fits, else one to be looked up."""
+        """What the sentence is about if that fits, else the newest thing mentioned that does and is more than a
+        landmark; else one to be looked up."""
         personal = word in PERSONAL
-        for thing in reversed(self.things):
-            fits = thing.person if personal else not thing.named
-            if fits or not thing.settled or word in ("they", "them"):
-                thing.person = thing.person or personal
-                return thing.name
+        newest = self.things[::-1]
+        fitting = [thing for thing in newest if thing.may_be(word)]
+        if not fitting and not personal:  # "if a baby is crying, rock it"
+            fitting = [thing for thing in newest if not thing.called]
+        for thing in sorted(fitting, key=lambda thing: (thing.name != self.topic, thing.aside)):
+            thing.person = thing.person or personal
+            return thing.name
         ref = {"him": "he", "her": "she", "them": "they"}.get(word, word)
         with self._own_board():
             name = self.add("obj", ref=ref)
@@ -120,6 +133,8 @@ class Things:
 
     def _same(self, np: AList, kind: str) -> str | None:
         """Earlier thing of this sentence that "the block" takes up again."""
+        if called := np.slot("name"):
+            return next((t.name for t in self.things if t.called == called), None)
         if not kind or any(np.has(part) for part in ("qual", "rel", "own", "owner", "sub")):
             return None
         return next((t.name for t in reversed(self.things) if t.kind == kind), None)
@@ -159,7 +174,7 @@ class Things:
             self.possessed(name, np)
             for rel in np.all("rel"):
                 self.relative(name, rel)
-        self._mention(Thing(name, kind, person, bool(called)))
+        self._mention(Thing(name, kind, person, called))
         return name
 
     def kind(self, name: str, kind: str, sub: str = "", negated: bool = False) -> str:
@@ -245,7 +260,7 @@ class Things:
             return self.add("loc", side.slot("dir") or side.value or "", loc=name, negated=negated)
         if (compared := pred.find("compared")) is not None:
             word = compared.slot("adjer") or compared.slot("hq")
-            other = self.thing(compared.first("np"))
+            other = self.aside(compared.first("np"))
             return self.add("hq", word, hq=name, than=other, negated=negated)
         if (called := pred.find("isname")) is not None:
             self.sketch.change(name, lex=frozenset((called.slot("name"),)))
@@ -272,6 +287,6 @@ class Things:
 
     def place(self, role: str, name: str, loc: AList, negated: bool = False) -> str:
         """Say where something is or is done; the node of that."""
-        word = loc.slot("prep") or "between"
-        marks = [self.thing(np) for np in loc.all("np")]
+        word = loc.slot("prep") or ("between" if loc.has("between") else "for")
+        marks = [self.aside(np) for np in loc.all("np")]
         return self.add("loc", PLACES.get(word, word), negated=negated, loc=name, wrt=marks)

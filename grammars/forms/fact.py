@@ -60,6 +60,7 @@ def _check_subject(said: AList) -> None:
         not any(subject.has(part) for part in known)
         or subject.slot("det") in ("a", "an", "any", "no")
         or vague.startswith(("any", "every"))
+        or subject.slot("ako") == "name"
         or (vague and pred is not None and pred.has("kindof"))
     )
     if generic or subject.slot("pron") in ("i", "me"):

@@ -146,7 +146,7 @@ def _who(build: Build, body: AList) -> Question:
     if (pred := body.find("pred")) is not None:
         wanted = build.add("obj")
         return Question("who", build.graphlet(build.predicate(wanted, pred, False)), wanted)
-    if body.has("habit_s"):
+    if body.has("habit_s") or body.has("going"):
         wanted = build.add("obj")
         return Question("who", build.graphlet(clause(build, body, wanted)), wanted)
     if body.has("has") or (things and not body.has("is") and body.has("had")):
@@ -159,8 +159,12 @@ def _whose(build: Build, body: AList) -> Question:
     things = body.all("np")
     wanted = build.add("obj")
     inner = body.find("owner2")
-    np = things[-1] if things else (inner or body).first("np")
-    return Question("who", build.graphlet(build.add("own", own=build.thing(np), of=wanted)), wanted)
+    thing = build.thing(things[-1] if things else (inner or body).first("np"))
+    for qual in body.all("qual"):
+        build.quality(thing, qual)
+    if kind := body.slot("ako"):
+        build.kind(thing, kind, body.slot("sub"))
+    return Question("who", build.graphlet(build.add("own", own=thing, of=wanted)), wanted)
 
 
 def _where(build: Build, body: AList) -> Question:

@@ -7,6 +7,7 @@ from grammars.build import Build, NoMeaningError
 from grammars.clauses import clause, condition, exception
 from grammars.hedges import belief
 from grammars.registry import sentence_form
+from grammars.vocabulary import BORN
 from kernel.memory.lesson import Rule
 from kernel.memory.meaning import Teach
 from kernel.net.graphlet import Graphlet
@@ -39,6 +40,8 @@ def rule(alist: AList) -> Teach:
     with build.drawing(pattern=True):
         main = clause(build, said, thing)
         then = build.graphlet(main)
+    if any(term.ref in ("he", "she", "they") for term in condition_) or _is_name(said):
+        raise NoMeaningError("somebody in particular")
     described = condition_.names
     if {n for n in then.mentioned if n.startswith("obj")}.isdisjoint(condition_.mentioned):
         raise NoMeaningError("the conclusion is about something else")
@@ -47,6 +50,13 @@ def rule(alist: AList) -> Teach:
     hedge = next(filter(None, hedges), said.slot("may") and "may")
     rule_ = Rule(condition_, then, exception(build, alist), belief(hedge))
     return Teach("rule", rule_)
+
+
+def _is_name(said: AList) -> bool:
+    """What is said is somebody's name, and such names follow from nothing; "French" may."""
+    pred = said.find("pred")
+    called = pred.find("isname") if pred is not None else None
+    return called is not None and "PLACE" not in BORN.readings(called.slot("name"))
 
 
 def _kind(build: Build, generic: AList) -> tuple[Graphlet, str]:

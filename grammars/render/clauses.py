@@ -6,11 +6,11 @@ from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 from typing import Final
 
+from grammars.mentions import WOMEN
 from grammars.morphology import article, comparative, past, third_person
 from grammars.render.deeds import be, deed
 from grammars.render.telling import SAYING, Telling, is_predicate, linked, word
 from grammars.render.things import (
-    WOMEN,
     description,
     kind,
     place,
@@ -112,7 +112,7 @@ def _subject(telling: Telling, name: str, negated: bool) -> str:
             return "nothing"
         if [word(term) for term in said] == ["person"] and linked(said[0], "ako"):
             telling.hold_back(said)
-            telling.mention(name)
+            telling.mention(name, "person")
             return "nobody"
     return thing(telling, name, "subject")
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from grammars.morphology import plural
-from grammars.render.clauses import Clause, clause, naming
+from grammars.render.clauses import Clause, clause, conditions, naming
 from grammars.render.deeds import be, deed
 from grammars.render.telling import Telling, Voice, is_predicate, linked, word
 from grammars.render.things import description, thing
@@ -33,6 +33,8 @@ def question(asked: Question, voice: Voice) -> str:
             return f"how do {you} {deed(telling, main)}"
         case "taught":
             return f"who taught {me} to {deed(telling, main)}"
+        case "happens":
+            return f"what happens when {conditions(telling, asked.about)}"
         case "learned":
             return f"what did {you} learn today"
     if asked.topic in ("did", "why") or asked.ask == "why":
@@ -91,7 +93,15 @@ def _asked(telling: Telling, asked: Question) -> tuple[str, Clause]:
         case ask:
             if main.name == wanted:
                 return ask, _being(thing(telling, wanted, "subject"))
+            if linked(main, "own") and linked(main, "of") == wanted:
+                thing_ = thing(telling, linked(main, "own"), "subject")
+                return "who", Clause(thing_, "does", "belongs to", "belong to")
             rest = claim(telling, asked.about)
+            if main.kind == "act" and linked(main, "obj") == wanted and linked(main, "agt"):
+                stated, asked_ = (
+                    said.removesuffix(" something") for said in (rest.stated, rest.asked)
+                )
+                return ask, Clause(rest.subject, rest.verb, stated, asked_)
             return ask, Clause("", rest.verb, rest.stated, rest.asked)
 
 

@@ -23,12 +23,6 @@ PRONOUNS: Final = {
     "this": ("this", "this", "its"),
 }
 _DETERMINERS: Final = ("the", "this", "that", "every", "any", "all", "each")
-# Names of those who are "she" where "they" will not do.
-_NAMES_OF_WOMEN: Final = """
-mary janey mom jane sue ann anna anne alice emma olivia sophia emily elizabeth sarah sally susan lucy molly nancy
-grandma mommy
-"""
-WOMEN: Final = frozenset(_NAMES_OF_WOMEN.split())
 # Nouns that take no article.
 _MASSES: Final = frozenset(
     ("music", "water", "milk", "coffee", "tea", "juice", "food", "trash", "smoke", "fire")
@@ -178,11 +172,18 @@ def _first(telling: Telling, term: Term) -> str:
 
 
 def _again(telling: Telling, term: Term) -> str:
-    """As the parser takes it up: "it" is the thing mentioned last, "the block" the last block."""
+    """As the parser takes it up: "it" is the only thing mentioned, "the block" the last one called a block."""
     name, noun = term.name, telling.mentioned[term.name]
-    if name == next(reversed(telling.mentioned)):
-        return "they" if term.lex or noun in PERSONS or term.ref == "somebody" else "it"
+    if len(telling.mentioned) == 1 and _personal(telling, name):
+        return "they"
     same = [other for other, called in telling.mentioned.items() if called == noun]
-    if term.lex or not noun or name != same[-1]:
-        return proper(word(term)) if term.lex else "it"
-    return f"the {noun}"
+    things = [other for other in telling.mentioned if not _personal(telling, other)]
+    if things == [name] or (not term.lex and (not noun or name != same[-1])):
+        return "it" if not _personal(telling, name) else "they"
+    return proper(word(term)) if term.lex else f"the {noun}"
+
+
+def _personal(telling: Telling, name: str) -> bool:
+    """It has a name of its own or is a person, so that it is never "it"."""
+    term = telling.term(name)
+    return bool(term.lex) or term.ref == "somebody" or telling.mentioned.get(name, "") in PERSONS

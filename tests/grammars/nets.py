@@ -29,6 +29,7 @@ class Draft:
         self.kinds = list(
             KINDS
         )  # "the cup" twice in a sentence is the same cup, so each kind serves once
+        self.names = list(NAMES)  # and so is Mary
 
     def one_of(self, *values: str) -> str:
         return self.draw(st.sampled_from(values))
@@ -56,9 +57,10 @@ class Draft:
 
     def _owner(self, pattern: bool) -> str:
         """Somebody; a name is looked up by itself where things are."""
-        who = self.one_of("me", "you", *NAMES)
+        who = self.one_of("me", "you", *self.names)
         if who not in NAMES:
             return self.oneself(who)
+        self.names.remove(who)
         if pattern:
             return self.add("obj", who)
         before, self.board = self.board, []
@@ -70,9 +72,11 @@ class Draft:
     def thing(self, articles: str = "both", deep: bool = True, pattern: bool = True) -> str:
         """Something described: a name, "something", "a red block", "my cup", "the cup next to the ball"."""
         sort = self.one_of("name", "something", "described", "described", "described")
-        if sort == "name" or not self.kinds:
-            return self.add("obj", self.one_of(*NAMES))
-        if sort == "something" and articles != "the":
+        if self.names and (sort == "name" or not self.kinds):
+            name = self.one_of(*self.names)
+            self.names.remove(name)
+            return self.add("obj", name)
+        if (sort == "something" and articles != "the") or not self.kinds:
             return self.add("obj")
         ref = {"both": self.one_of("", "the"), "a": "", "the": "the"}[articles]
         thing = self.add("obj", ref=ref)

@@ -22,6 +22,7 @@ FIXED = {
     "NEWING": ("blorping",),
     "QUOTED": ('"hi there"',),
     "ANYWORD": ("hello", "red"),
+    "NAMELIKE": ("fluffy",),
     "OPENWORD": ("wave", "cup"),
     "_COMMA": (",",),
 }

@@ -8,9 +8,22 @@ WORDS = ("turn", "run", "lift", "left", "raise", "what", "wait", "hat", "the")
 
 
 def test_the_likeliest_slip_comes_first() -> None:
-    assert near_words("trun", WORDS)[0] == "turn"
-    assert near_words("lfit", WORDS)[0] == "lift"
-    assert near_words("wat", WORDS)[0] in ("what", "wait")
+    assert near_words("trun", WORDS) == ["turn"]
+    assert near_words("lfit", WORDS) == ["lift"]
+    assert near_words("rasie", WORDS) == ["raise"]
+
+
+def test_a_very_short_word_may_only_be_one_that_builds_sentences() -> None:
+    assert near_words("wat", WORDS, {"what"}) == ["what"]
+    assert near_words("tur", WORDS) == []
+
+
+def test_a_wrong_letter_is_as_likely_another_word() -> None:
+    assert near_words("zork", ("work",)) == near_words("zork", ("work",), likely=False) == []
+    assert near_words("tail", ("nail",), likely=False) == []
+    assert near_words("drife", ("drive",)) == []
+    assert near_words("drife", ("drive", "drove"), likely=False) == ["drive"]
+    assert near_words("pencill", ("pencil",)) == ["pencil"]
 
 
 def test_short_and_far_words_have_no_neighbours() -> None:
