@@ -6,7 +6,7 @@ from kernel.action.call import Travel
 from kernel.memory.lesson import Operator
 from kernel.memory.meaning import Fact, Teach
 from kernel.memory.notation import read
-from kernel.memory.reply import Failed, LessonTaken
+from kernel.memory.reply import FactTaken, Failed, LessonTaken
 from kernel.net.graphlet import Graphlet
 
 TO_DANCE = "trig: DO[ act-1 -lex- dance ]\npref: 1.0\n---\nDO[ act-2 -lex- drive ]"
@@ -83,3 +83,28 @@ def test_a_stored_fact_is_known_after_a_restart(robot: Any, make_robot: Any) -> 
         "trig: ANTE[ act-1 -lex- grab; -obj-> obj-2; ako-3 -lex- person; -ako-> obj-2 ]; pref: 1.0; ---; PUNT[ ]"
     )
     assert again.do("FIND[ obj-2 -lex- mary ]; DO[ act-1 -lex- grab; -obj-> obj-2 ]") == []
+
+
+def mary_is_a_girl(girl: str, mary: str) -> Fact:
+    fact, find = read(f"{girl} -lex- girl\n-ako-> {mary}"), read(f"{mary} -lex- mary")
+    assert isinstance(fact, Graphlet)
+    assert isinstance(find, Graphlet)
+    return Fact(fact, (find,))
+
+
+def test_a_lasting_fact_is_acknowledged_once_it_is_durable(robot: Any) -> None:
+    robot.hear(mary_is_a_girl("ako-1", "obj-2"))
+    robot.tick()
+    assert robot.out.persist
+    assert robot.replies == []
+    robot.tick()
+    (taken,) = robot.replies
+    assert isinstance(taken, FactTaken)
+
+
+def test_a_fact_told_again_is_stored_once_and_acknowledged_twice(robot: Any) -> None:
+    for names in (("ako-1", "obj-2"), ("ako-7", "obj-4")):
+        robot.hear(mary_is_a_girl(*names))
+        robot.settle()
+    assert len(robot.mind.policy) == 1
+    assert [type(reply) for reply in robot.replies] == [FactTaken, FactTaken]
