@@ -75,6 +75,42 @@ def test_typos_are_repaired_and_told(text: str, repaired: tuple[tuple[str, str],
     assert parse(text).repaired == repaired
 
 
+@pytest.mark.parametrize("text", ["zork", "zork the ball", "loft the block", "tur left", "stap"])
+def test_what_may_be_another_word_is_not_repaired(text: str) -> None:
+    assert read(text) is None
+
+
+def test_a_new_noun_is_not_repaired_into_a_known_one() -> None:
+    for noun in ("flibbit", "trab", "zail"):
+        parsed = parse(f"grab the {noun}")
+        assert (parsed.unknown_words, parsed.repaired) == ((noun,), ())
+
+
+@pytest.mark.parametrize(
+    ("text", "quote"),
+    [
+        ("before you turn right say watch out", "watch out"),
+        ("when mary is near say right turn unless john is near", "right turn"),
+        ("say hello after the rain", "hello after the rain"),
+        ('say "hi if you like"', "hi if you like"),
+        ("if i say hop say hup", "hup"),
+    ],
+)
+def test_a_quote_is_literal_and_ends_at_a_condition(text: str, quote: str) -> None:
+    said = [part.value for part in parse(text).alist.walk() if part.name == "quote"]
+    assert said[-1] == quote
+
+
+@pytest.mark.parametrize("text", ["say hi unless the person is rick", "say hi until mary is near"])
+def test_a_condition_that_nothing_can_be_made_of_is_not_said(text: str) -> None:
+    assert read(text) is None
+
+
+@pytest.mark.parametrize("text", ["fluffy is a kitten", "Fluffy is a kitten", "grab Fluffy"])
+def test_a_quality_may_be_a_name(text: str) -> None:
+    assert "name=fluffy" in str(parse(text).alist)
+
+
 def test_known_words_are_never_repaired() -> None:
     assert read("turn lift") is None or not parse("turn lift").repaired
 
