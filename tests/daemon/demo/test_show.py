@@ -2,6 +2,7 @@
 
 import io
 
+import pytest
 from rich.console import Console
 
 from daemon import events as ev
@@ -41,7 +42,8 @@ def test_a_file_gets_plain_lines_and_no_track_until_the_end() -> None:
     assert "from above" not in lines
 
 
-def test_a_terminal_sees_the_track_while_it_is_drawn() -> None:
+def test_a_terminal_sees_the_track_while_it_is_drawn(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("TERM", "xterm")
     told = io.StringIO()
     show = Show(Console(file=told, width=100, force_terminal=True))
     drive(show)
