@@ -12,7 +12,7 @@ import numpy as np
 from daemon.hearing import endpoint
 from daemon.hearing.events import CoreEvent, Ended, NotHeard, Partial, StopWord
 from daemon.hearing.recogniser import RATE_HZ, Recogniser, Samples
-from daemon.hearing.stop_spotter import StopSpotter
+from daemon.hearing.stop_spotter import STOP_WORDS, StopSpotter
 from daemon.hearing.voice_activity import FRAME, FRAME_S, VoiceActivity
 from grammars.automaton import Automaton
 
@@ -48,6 +48,7 @@ class _Utterance:
     spoken_s: float
     resumed_s: float
     text: str = ""
+    before: str = ""
     changed_s: float = 0.0
     gated: bool = False
     again: bool = False
@@ -143,7 +144,7 @@ class Listener:
         heard = list(held.sound) if held else []
         utterance = _Utterance(began_s, held is not None, heard, self.now_s, self.now_s)
         if held:
-            utterance.chance = held.chance
+            utterance.chance, utterance.text = held.chance, held.text
         self._utterance = utterance
         self._engine.reset()
         for frame in heard:
@@ -165,6 +166,7 @@ class Listener:
 
     def _hear_apart(self, utterance: _Utterance, lead: Iterable[Samples]) -> None:
         utterance.again, utterance.resumed_s = True, self.now_s
+        utterance.before = utterance.text
         self._spotter.reset()
         self._spare.reset()
         for frame in lead:
@@ -203,7 +205,7 @@ class Listener:
             utterance.text, utterance.changed_s = text, self.now_s
             if text and not utterance.gated:
                 yield Partial(self.now_s, text)
-        heard = self._spare.partial() if utterance.again else text
+        heard = self._apart(utterance) if utterance.again else text
         if word := self._spotter.heard(heard, self._since(utterance.spoken_s) >= QUIET_S):
             yield StopWord(self.now_s, word)
         wait_s = endpoint.wait_s(text, self._language)
@@ -214,6 +216,11 @@ class Listener:
         too_long = self.now_s - utterance.began_s >= endpoint.LONGEST_S
         if self._since(utterance.spoken_s) >= wait_s or settled or too_long:
             yield from self._end(utterance, too_long)
+
+    def _apart(self, utterance: _Utterance) -> str:
+        """What follows the last pause: as the whole is heard if that makes it a stop, else as it is by itself."""
+        rest = utterance.text.removeprefix(utterance.before).strip()
+        return rest if rest in STOP_WORDS else self._spare.partial()
 
     def _end(self, utterance: _Utterance, cut: bool) -> Iterator[CoreEvent]:
         self._utterance = None
