@@ -17,14 +17,16 @@ BESIDE_STOP: Final = frozenset({"robot", "sayso", "please", "now", "hey"})
 
 
 def is_stop(text: str) -> bool:
-    """Nothing but a stop word, the robot's name and manners.
+    """It begins with a stop word, the robot's name and manners aside.
 
-    >>> is_stop("Stop, robot!"), is_stop("to stop say hi")
+    Whatever follows and whether it is understood: "stop it right now" stops too, before it is parsed.
+
+    >>> is_stop("Robot, stop it!"), is_stop("to stop say hi")
     (True, False)
     """
-    words = "".join(c if c.isalpha() else " " for c in text.lower()).split()
-    rest = [word for word in words if word not in BESIDE_STOP]
-    return bool(rest) and all(word in STOP_WORDS for word in rest)
+    words = "".join(c if c.isalpha() or c == "'" else " " for c in text.lower()).split()
+    first = next((word for word in words if word not in BESIDE_STOP), "")
+    return first in STOP_WORDS
 
 
 SAY_AGAIN: Final = "Please say that again."
@@ -38,9 +40,8 @@ UNCLEAR: Final = {  # hearing's reason: what is shown, and whether the robot ask
     "lost": ("My ears failed for a moment.", True),
 }
 
-_one_at_a_time = (
-    threading.Lock()
-)  # the compiled grammar keeps its place in the sentence while it parses
+# The compiled grammar keeps its place in the sentence while it parses.
+_one_at_a_time = threading.Lock()
 
 
 @dataclass(frozen=True, slots=True)
@@ -69,4 +70,4 @@ def halts(meaning: Meaning) -> bool:
     """Everything is to stop: such a meaning does not wait for the mind."""
     if isinstance(meaning, Feedback):
         return meaning.stop
-    return isinstance(meaning, Control) and meaning.act == "stop" and meaning.about is None
+    return isinstance(meaning, Control) and meaning.act == "stop"

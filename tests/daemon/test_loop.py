@@ -17,6 +17,7 @@ from firmware_proto.messages import Drive, Heartbeat, Stop
 from kernel.memory.exchange import Inputs
 from kernel.memory.lesson import Lesson
 from kernel.memory.meaning import Control, Feedback, Utterance
+from kernel.memory.notation import read
 
 sys.path.insert(0, str(Path(__file__).parent))
 from bench import Bench
@@ -291,7 +292,10 @@ def test_the_same_seed_tells_the_same_story() -> None:
         ("robot", False),
         ("", False),
         ("to stop say hi", False),
-        ("stop turning", False),
+        ("stop turning", True),
+        ("please stop it right now", True),
+        ("stop's", False),
+        ("don't say stop", False),
         ("don't stop", False),
         ("unstop", False),
     ],
@@ -302,6 +306,7 @@ def test_stop_words(text: str, is_one: bool) -> None:
 
 def test_meanings_that_stop_everything() -> None:
     assert halts(Control("stop"))
+    assert halts(Control("stop", read("act-1 -lex- turn")))  # type: ignore[arg-type]
     assert halts(Feedback(good=False, stop=True))
     assert not halts(Control("undo"))
     assert not halts(Feedback(good=False))
