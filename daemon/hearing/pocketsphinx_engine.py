@@ -17,7 +17,7 @@ from daemon.hearing.recogniser import Alternative, EngineError, Samples
 from grammars.automaton import Automaton, restrict
 
 SHIPPED = "en-us"
-SETTINGS = {"bestpath": False, "beam": 1e-60, "wbeam": 1e-40, "pbeam": 1e-60, "lm": None}
+SETTINGS = {"bestpath": False, "beam": 1e-80, "wbeam": 1e-60, "pbeam": 1e-80, "lm": None}
 FORCED = 0.02
 """How much lower a whole sentence may score than the beginning of a longer one, in the decoder's logarithm: whole ones
 were at most 0.016 lower, broken-off ones, filled up with a word, 0.01 to 0.09."""
