@@ -93,17 +93,22 @@ def cover(automaton: Automaton) -> list[str]:
     ways_in, ways_out = _shortest_ways(automaton)
     seen: set[tuple[str, str]] = set()
     drawn: dict[str, None] = {}
+
+    def draw(source: int, middle: tuple[str, ...], to: int) -> None:
+        said = (*ways_in[source], *middle, *ways_out[to])
+        seen.update(zip(said, (*said[1:], ""), strict=True))
+        drawn.setdefault(" ".join(said))
+
+    # Wherever an arc comes from, the same words follow it: one arc for each word and target is enough.
+    first: dict[tuple[str, int], int] = {}
     for source, word, target in automaton.arcs:
-        follows: list[tuple[str, int]] = [("", target)] if target in automaton.finals else []
+        first.setdefault((word, target), source)
+    for (word, target), source in first.items():
+        if target in automaton.finals and (word, "") not in seen:
+            draw(source, (word,), target)
         for after, targets in automaton.moves.get(target, {}).items():
-            follows.extend((after, to) for to in targets)
-        for after, to in follows:
-            if (word, after) in seen:
-                continue
-            middle = [word, after] if after else [word]
-            said = [*ways_in[source], *middle, *ways_out[to]]
-            seen.update(zip(said, [*said[1:], ""], strict=True))
-            drawn.setdefault(" ".join(said))
+            if (word, after) not in seen:
+                draw(source, (word, after), next(iter(targets)))
     return list(drawn)
 
 
