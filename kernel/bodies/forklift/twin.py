@@ -274,11 +274,6 @@ class Twin:
         x, y = self._robot.local_to_world((x_cm, y_cm))
         return x, y
 
-    def to_robot(self, x_cm: float, y_cm: float) -> tuple[float, float]:
-        """A point of the world in the robot's frame."""
-        x, y = self._robot.world_to_local((x_cm, y_cm))
-        return x, y
-
     def _filter(self, placed: _Placed) -> None:
         if placed.follows is not None:
             categories, mask = (0 if placed.thing.low else GHOST), BEAM
