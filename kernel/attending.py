@@ -100,7 +100,7 @@ def notice(
 def noted(commons: Commons, focus: Focus, nodes: tuple[Node, ...]) -> Run:
     """A NOTE about nodes that are in memory already."""
     step = RunningStep(Frame(commons, focus, {}), Directive("NOTE"))
-    step.facts = nodes
+    step.selection.facts = nodes
     return (yield from DIRECTIVES["NOTE"](step))
 
 

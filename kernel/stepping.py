@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 from typing import TYPE_CHECKING, Final
 
 from kernel.action.chain import Directive
@@ -12,28 +11,17 @@ from kernel.action.verdict import Verdict
 from kernel.calling import act_text, call
 from kernel.memory.attention import Failure
 from kernel.memory.choice import choice_weights, in_turn
-from kernel.memory.lesson import Lesson, Operator
 from kernel.memory.meaning import Question
 from kernel.memory.recall import answer, is_so, known, named
 from kernel.memory.reply import Reason
-from kernel.net.graphlet import Graphlet
-from kernel.net.match import Binding, holds, matches
+from kernel.net.match import matches
 from kernel.net.node import Node, describe
+from kernel.selecting import Chosen, Selection
 
 if TYPE_CHECKING:
     from kernel.running import Frame
 
 DEEPEST: Final = 20
-
-
-@dataclass(frozen=True, slots=True)
-class Chosen:
-    """An operator that applies, and how."""
-
-    lesson: Lesson
-    operator: Operator
-    binding: Binding
-    specificity: int
 
 
 class RunningStep:
@@ -42,34 +30,38 @@ class RunningStep:
     def __init__(self, frame: Frame, directive: Directive) -> None:
         self.frame, self.directive = frame, directive
         self.commons, self.focus = frame.commons, frame.focus
-        self.threshold = self.commons.settings.threshold
-        self.facts: tuple[Node, ...] = ()
-        self.node: Node | None = None
-        self.ruled_out = False  # the only operators that apply are being run already
+        self.selection = Selection(
+            self.commons, self.focus, frame.within, self.commons.settings.threshold
+        )
         graphlet = directive.graphlet
         if graphlet is None or directive.tag in ("CHK", "FIND"):
             return
         memory = self.commons.memory
         if directive.tag == "NOTE":
-            bound, self.facts = memory.tell(graphlet, frame.binding)
+            bound, self.selection.facts = memory.tell(graphlet, frame.binding)
             frame.binding = dict(bound)
-            for node in self.facts:
+            for node in self.selection.facts:
                 self.focus.nodes[node] = None
         else:
             frame.binding = frame.instantiate(graphlet)
-        self.node = frame.binding[graphlet.main]
+        self.selection.node = frame.binding[graphlet.main]
         if directive.tag == "DO" and self.focus.speech_act is not None and frame.ordered:
-            memory.net.link(self.focus.speech_act, "cmd", self.node)
+            memory.net.link(self.focus.speech_act, "cmd", self.selection.node)
         memory.changed()
+
+    @property
+    def node(self) -> Node | None:
+        """The directive's main node, where it has become one."""
+        return self.selection.node
 
     # -- operators -------------------------------------------------------------------------
 
     def operators(self, tag: str) -> Iterator[Chosen]:
         """Applicable operators: NOTE and DO in turn by weight, ANTE and POST all, prohibitions first."""
-        found = list(self.applicable(tag))
+        found = list(self.selection.applicable(tag))
         if tag == "ANTE":
             found.sort(key=lambda c: not c.operator.prohibits)
-            found = [c for c in found if not (c.operator.prohibits and self.permitted(c))]
+            found = [c for c in found if not (c.operator.prohibits and self.selection.permitted(c))]
         if not found:
             return
         weights = choice_weights(
@@ -93,98 +85,6 @@ class RunningStep:
                 self.prohibit(choice)
             yield choice
 
-    def applicable(self, tag: str) -> Iterator[Chosen]:
-        """Operators of the tag whose trigger and enablement match."""
-        memory = self.commons.memory
-        memory.refresh()
-        if tag == "NOTE":
-            lessons: Iterator[Lesson] = self.commons.operators.for_fact(memory.net)
-        elif self.node is not None:
-            lessons = self.commons.operators.for_node(tag, self.node)
-        else:
-            return
-        self.ruled_out = False
-        for lesson in lessons:
-            operator = lesson.content
-            if not isinstance(operator, Operator) or operator.trigger.graphlet is None:
-                continue
-            if operator.preference < self.commons.settings.least_preference and tag in (
-                "NOTE",
-                "DO",
-            ):
-                continue
-            choice = self.match(lesson, operator, self.threshold_for(operator))
-            if choice is None:
-                continue
-            if lesson in self.frame.within:  # advice does not apply to the carrying out of itself
-                self.ruled_out = self.ruled_out or tag == "DO"
-                continue
-            yield choice
-
-    def threshold_for(self, operator: Operator) -> float:
-        """A prohibition counts weak premises, a permission only strong ones (mind.md)."""
-        if operator.prohibits:
-            return self.commons.settings.prohibition_threshold
-        if operator.trigger.tag == "ALLOW":
-            return self.commons.settings.permission_threshold
-        return self.threshold
-
-    def match(self, lesson: Lesson, operator: Operator, threshold: float) -> Chosen | None:
-        """The first binding under which the operator applies, or None."""
-        memory = self.commons.memory
-        net, depth, trigger = memory.net, memory.depth, operator.trigger.graphlet
-        if trigger is None:
-            return None
-        start: Binding = {}
-        if operator.trigger.tag != "NOTE" and self.node is not None:
-            start = {trigger.main: self.node}
-        for binding in matches(trigger, net, depth, start, threshold):
-            if operator.trigger.tag == "NOTE" and not self.takes_part(binding):
-                continue
-            enabled = self.enabled(operator.enablement, binding, threshold)
-            if enabled is None or any(
-                holds(g, net, depth, known(g, enabled), threshold) for g in operator.unless
-            ):
-                continue
-            terms = (*trigger.terms, *(t for g in operator.enablement for t in g.terms))
-            return Chosen(lesson, operator, enabled, max(1, len(terms)))
-        return None
-
-    def enabled(
-        self, patterns: tuple[Graphlet, ...], binding: Binding, threshold: float
-    ) -> Binding | None:
-        """The binding extended so that all patterns hold."""
-        if not patterns:
-            return binding
-        memory = self.commons.memory
-        for more in matches(patterns[0], memory.net, memory.depth, binding, threshold):
-            whole = self.enabled(patterns[1:], more, threshold)
-            if whole is not None:
-                return whole
-        return None
-
-    def takes_part(self, binding: Binding) -> bool:
-        """Whether the noted fact, or a conclusion that rests on it, is in the match."""
-        facts = set(self.facts)
-        return any(
-            node in facts or node.reasons & facts or any(r.reasons & facts for r in node.reasons)
-            for node in binding.values()
-        )
-
-    def permitted(self, prohibition: Chosen) -> bool:
-        """Whether a permission at least as specific voids this prohibition; on a tie the newer one counts."""
-        about_speaker = _names_speaker(prohibition.operator)
-        for permission in self.applicable("ALLOW"):
-            if about_speaker and not _names_speaker(permission.operator):
-                continue
-            newer = permission.lesson.ident > prohibition.lesson.ident
-            if permission.specificity > prohibition.specificity or (
-                permission.specificity == prohibition.specificity and newer
-            ):
-                self.commons.record("permitted", self.focus, by=permission.lesson.words)
-                return True
-        return False
-
     def prohibit(self, choice: Chosen) -> None:
         """Remember the veto as the explanation."""
         concluded = [node for node in choice.binding.values() if node.rule]
@@ -201,9 +101,9 @@ class RunningStep:
 
     def desperate(self) -> bool:
         """Lower the threshold once (Connell 2019: a robot "desperate to find some action" may)."""
-        if self.threshold <= self.commons.settings.desperate_threshold:
+        if self.selection.threshold <= self.commons.settings.desperate_threshold:
             return False
-        self.threshold = self.commons.settings.desperate_threshold
+        self.selection.threshold = self.commons.settings.desperate_threshold
         return True
 
     def run(self, advice: Advice) -> Run:
@@ -234,7 +134,9 @@ class RunningStep:
         memory.refresh()
         bound = known(graphlet, self.frame.binding)
         for pattern, verdict in ((graphlet, True), (graphlet.denied(), False)):
-            for binding in matches(pattern, memory.net, memory.depth, bound, self.threshold):
+            for binding in matches(
+                pattern, memory.net, memory.depth, bound, self.selection.threshold
+            ):
                 if is_so(binding):
                     self.frame.binding = {**self.frame.binding, **binding}
                     return verdict
@@ -286,10 +188,5 @@ class RunningStep:
         """Say why; operators that were left out because they are running already mean recursion."""
         if reason == "prohibited":
             return
-        why: Reason = "recursion" if reason == "no_way" and self.ruled_out else reason
+        why: Reason = "recursion" if reason == "no_way" and self.selection.ruled_out else reason
         self.frame.explain(why, self.node)
-
-
-def _names_speaker(operator: Operator) -> bool:
-    graphlets = (operator.trigger.graphlet, *operator.enablement)
-    return any(role == "cmd" for g in graphlets if g for t in g.terms for role, _ in t.links)
