@@ -12,18 +12,16 @@ from typing import TYPE_CHECKING, Final
 from daemon import events
 from daemon.speaking.queue import SpeechQueue
 from daemon.speaking.voice import Voice
-from daemon.telling import from_record, from_reply, pose
+from daemon.telling import from_record, from_reply, from_shift, pose
 from daemon.understanding import SAY_AGAIN, UNCLEAR, Understanding, halts, is_stop, understand
 from daemon.wire import Wire
 from daemon.writer import Keeper, Kept, NotKept
 from firmware_proto.told import SessionState
 from grammars.errors import NotUnderstoodError
-from grammars.render import render
 from grammars.replies import say
 from grammars.vocabulary import from_policy
 from kernel.action.call import BodyState
 from kernel.memory.exchange import Inputs, Outputs
-from kernel.memory.lesson import Lesson
 from kernel.memory.meaning import Command, Heard, Revision, Utterance
 
 if TYPE_CHECKING:
@@ -61,7 +59,7 @@ class Cycle:
         self._speech = SpeechQueue(voice, emit)
         self._heard: list[Heard] = []
         self._kept: list[Kept | NotKept] = []
-        self._keeping: dict[int, Lesson] = {}
+        self._keeping: set[int] = set()
         self._sources: dict[str, str] = {}
         self._busy = False
         self._up: bool | None = None
@@ -207,7 +205,7 @@ class Cycle:
                 body=self.state,
                 heard=heard,
                 spoken=spoken,
-                persisted=tuple((k.key, k.ident) for k in self._kept if isinstance(k, Kept)),
+                persisted=tuple((k.key, k.change) for k in self._kept if isinstance(k, Kept)),
                 persist_failed=tuple((k.key, k.why) for k in self._kept if isinstance(k, NotKept)),
                 stop_epoch=self._link.stop_epoch,
             )
@@ -220,9 +218,11 @@ class Cycle:
     def _tell(self, outputs: Outputs, now_s: float) -> None:
         self._watch_link(now_s)
         self._settle_lessons(now_s)
-        for key, lesson in outputs.persist:
-            self._keeping[key] = lesson
-            self._keeper.keep(key, lesson, self._sources.get(lesson.words, ""))
+        for event in from_shift(outputs.shift, now_s):
+            self._emit(event)
+        for key, change in outputs.persist:
+            self._keeping.add(key)
+            self._keeper.keep(key, change, self._sources.get(change.words, ""))
         moved = False
         for record in outputs.trace:
             event = from_record(record, now_s)
@@ -244,20 +244,9 @@ class Cycle:
             return
         while self._kept:
             result = self._kept.pop(0)
-            lesson = self._keeping.pop(result.key)
+            self._keeping.discard(result.key)
             if isinstance(result, NotKept):
                 self._emit(events.Error(t=now_s, part="store", text=result.why))
-                continue
-            self._emit(
-                events.Lesson(
-                    t=now_s,
-                    ident=result.ident,
-                    kind=lesson.kind,
-                    words=lesson.words,
-                    readback=render(lesson.content, "teacher"),
-                    teacher=lesson.teacher,
-                )
-            )
         self.vocabulary = from_policy(self._mind.policy)
 
     def _watch_link(self, now_s: float) -> None:

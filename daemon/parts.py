@@ -25,7 +25,7 @@ from kernel.action.discover import load_all
 from kernel.bodies import registry
 from kernel.bodies.forklift import scene
 from kernel.bodies.forklift.scene import Scene, SceneError
-from kernel.memory.lesson import Lesson
+from kernel.memory.change import Change
 from kernel.memory.settings import Settings
 from kernel.mind import Mind
 
@@ -41,8 +41,8 @@ class Parts(Generic[L]):
     loaded: Loaded
 
 
-def make_mind(settings: MindPart, lessons: tuple[Lesson, ...]) -> Mind:
-    """A fresh mind with what it is born knowing and these lessons in force."""
+def make_mind(settings: MindPart, history: tuple[Change, ...]) -> Mind:
+    """A fresh mind with what it is born knowing, and what the journal says it learned."""
     numbers = Settings(
         threshold=settings.belief_threshold,
         desperate_threshold=settings.desperate_threshold,
@@ -52,7 +52,7 @@ def make_mind(settings: MindPart, lessons: tuple[Lesson, ...]) -> Mind:
         sharpness=settings.sharpness,
         fade_s=settings.fade_s,
     )
-    return Mind((*born(), *lessons), settings.seed, numbers)
+    return Mind(born(), settings.seed, numbers, history)
 
 
 def make_cycle(
@@ -65,7 +65,7 @@ def make_cycle(
 ) -> Cycle:
     """The one way a cycle is put together."""
     return Cycle(
-        mind=make_mind(config.mind, loaded.lessons),
+        mind=make_mind(config.mind, loaded.changes),
         body=registry.make(body_name(config.robot.uri)),
         link=link,
         voice=voice,

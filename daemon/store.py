@@ -7,61 +7,26 @@ that cannot be read any more is kept, rests and is reported. A lesson counts as 
 
 from __future__ import annotations
 
-import fcntl
 import os
 import sqlite3
-from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+from collections.abc import Callable, Iterator, Mapping
+from contextlib import contextmanager
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Final, cast, get_args
 
+from daemon.schema import SCHEMA
+from daemon.store_file import StoreError, connected, locked
 from kernel.errors import NotationError
+from kernel.memory.change import Adapted, Change
 from kernel.memory.lesson import Lesson, LessonKind
 from kernel.memory.notation import read, write
+from kernel.memory.policy import Policy
 
-APPLICATION: Final = 0x53415953  # "SAYS" in the file's header: whose file it is
-SCHEMA_VERSION: Final = 1
 NET_VERSION: Final = 1
 UTTERANCES_KEPT: Final = 10_000
+ADAPTATIONS_KEPT: Final = 20  # of one lesson; the older ones explain nothing any more
 NET_MIGRATIONS: Final[Mapping[int, Callable[[str], str]]] = {}  # notation of version n to n + 1
-
-SCHEMA: Final = f"""
-CREATE TABLE lesson (
-    ident INTEGER PRIMARY KEY AUTOINCREMENT,
-    kind TEXT NOT NULL,
-    notation TEXT NOT NULL,
-    net_version INTEGER NOT NULL,
-    words TEXT NOT NULL,
-    teacher TEXT NOT NULL,
-    at_s REAL NOT NULL,
-    source TEXT NOT NULL
-) STRICT;
-CREATE TABLE retraction (
-    ident INTEGER PRIMARY KEY AUTOINCREMENT,
-    lesson INTEGER NOT NULL REFERENCES lesson,
-    at_s REAL NOT NULL,
-    by TEXT NOT NULL,
-    undone INTEGER NOT NULL DEFAULT 0
-) STRICT;
-CREATE TABLE utterance (
-    ident INTEGER PRIMARY KEY AUTOINCREMENT,
-    at_s REAL NOT NULL,
-    text TEXT NOT NULL,
-    speaker TEXT NOT NULL,
-    source TEXT NOT NULL,
-    kind TEXT NOT NULL
-) STRICT;
-PRAGMA application_id = {APPLICATION};
-PRAGMA user_version = {SCHEMA_VERSION};
-"""
-
-
-class StoreError(Exception):
-    """The store cannot be used; the message is for a person, and the file was left as it is."""
-
-    def __init__(self, path: Path | str, why: str) -> None:
-        super().__init__(f"{path}: {why}")
-        self.path, self.why = path, why
 
 
 @dataclass(frozen=True, slots=True)
@@ -75,10 +40,18 @@ class Resting:
 
 @dataclass(frozen=True, slots=True)
 class Loaded:
-    """Lessons in force, oldest first, and those that rest."""
+    """The journal, oldest change first, without lessons that rest; and these."""
 
-    lessons: tuple[Lesson, ...]
+    changes: tuple[Change, ...]
     resting: tuple[Resting, ...] = ()
+
+    @property
+    def lessons(self) -> tuple[Lesson, ...]:
+        """Lessons in force, oldest first."""
+        policy = Policy()
+        for change in self.changes:
+            policy.apply(change)
+        return tuple(sorted(policy.lessons.values(), key=lambda lesson: lesson.ident))
 
 
 class Store:
@@ -94,9 +67,9 @@ class Store:
         Raises:
             StoreError: another daemon has it; it is damaged, from a newer version, or not a store; no room or right.
         """
-        lock = _locked(path)
+        lock = locked(path)
         try:
-            return cls(_connected(path), lock)
+            return cls(connected(path), lock)
         except sqlite3.Error as error:
             os.close(lock)
             kept = "the file was kept; move it away to begin with an empty store"
@@ -113,31 +86,89 @@ class Store:
         return cls(db, None)
 
     def load(self, abilities: frozenset[str] | None = None) -> Loaded:
-        """Read every lesson that was not retracted.
+        """Read the whole journal.
 
         Args:
             abilities: grounding functions of the body; a lesson that calls another one rests. None: do not look.
         """
-        rows = self._db.execute(
-            "SELECT ident, kind, notation, net_version, words, teacher, at_s FROM lesson WHERE ident NOT IN"
-            " (SELECT lesson FROM retraction WHERE NOT undone) ORDER BY ident"
+        learned, resting = self._lessons(abilities)
+        retracted = self._by_change("SELECT change, lesson FROM retraction")
+        undone = self._by_change("SELECT change, undone FROM undoing")
+        adapted: dict[int, list[Adapted]] = {}
+        for change, *moved in self._db.execute(
+            "SELECT change, lesson, before, after FROM adaptation"
+        ):
+            adapted.setdefault(change, []).append(Adapted(*moved))
+        changes = tuple(
+            Change(
+                ident,
+                by,
+                words,
+                at_s,
+                tuple(learned.get(ident, ())),
+                tuple(retracted.get(ident, ())),
+                tuple(adapted.get(ident, ())),
+                tuple(undone.get(ident, ())),
+                bool(own),
+            )
+            for ident, by, words, at_s, own in self._db.execute(
+                "SELECT ident, by, words, at_s, own FROM change ORDER BY ident"
+            )
         )
-        lessons, resting = [], []
-        for ident, kind, notation, version, words, teacher, at_s in rows:
+        return Loaded(changes, tuple(resting))
+
+    def _lessons(
+        self, abilities: frozenset[str] | None
+    ) -> tuple[dict[int, list[Lesson]], list[Resting]]:
+        """Lessons by the change that taught them, and those that rest, with their reasons if they are in force."""
+        learned: dict[int, list[Lesson]] = {}
+        resting = []
+        rows = self._db.execute(
+            "SELECT ident, kind, notation, net_version, words, teacher, at_s, origins, change"
+            " FROM lesson ORDER BY ident"
+        )
+        for ident, kind, notation, version, words, teacher, at_s, origins, change in rows:
             try:
                 content = read(_migrated(notation, version))
                 _check(kind, content, abilities)
             except (NotationError, ValueError) as error:
                 resting.append(Resting(ident, words, str(error)))
                 continue
-            lessons.append(Lesson(ident, cast(LessonKind, kind), content, words, teacher, at_s))
-        return Loaded(tuple(lessons), tuple(resting))
+            made_of = tuple(map(int, origins.split()))
+            lesson = Lesson(ident, cast(LessonKind, kind), content, words, teacher, at_s, made_of)
+            learned.setdefault(change, []).append(lesson)
+        return learned, resting
 
-    def add(self, lesson: Lesson, source: str = "") -> int:
-        """Make a lesson durable; its number."""
+    def _by_change(self, query: str) -> dict[int, list[int]]:
+        found: dict[int, list[int]] = {}
+        for change, other in self._db.execute(query):
+            found.setdefault(change, []).append(other)
+        return found
+
+    def add(self, change: Change, source: str = "") -> Change:
+        """Make a change durable, all of it or nothing; the same with the numbers it and its lessons now have."""
+        with self._transaction():
+            cursor = self._db.execute(
+                "INSERT INTO change (at_s, by, words, own, source) VALUES (?, ?, ?, ?, ?)",
+                (change.at_s, change.by, change.words, change.own, source),
+            )
+            ident = cursor.lastrowid
+            assert ident is not None
+            learned = tuple(self._add_lesson(lesson, ident) for lesson in change.learned)
+            self._db.executemany(
+                "INSERT INTO retraction VALUES (?, ?)", [(ident, n) for n in change.retracted]
+            )
+            self._db.executemany(
+                "INSERT INTO undoing VALUES (?, ?)", [(ident, n) for n in change.undone]
+            )
+            for adapted in change.adapted:
+                self._adapt(ident, adapted)
+        return replace(change, ident=ident, learned=learned)
+
+    def _add_lesson(self, lesson: Lesson, change: int) -> Lesson:
         cursor = self._db.execute(
-            "INSERT INTO lesson (kind, notation, net_version, words, teacher, at_s, source)"
-            " VALUES (?, ?, ?, ?, ?, ?, ?)",
+            "INSERT INTO lesson (kind, notation, net_version, words, teacher, at_s, origins, change)"
+            " VALUES (?, ?, ?, ?, ?, ?, ?, ?)",
             (
                 lesson.kind,
                 write(lesson.content),
@@ -145,21 +176,40 @@ class Store:
                 lesson.words,
                 lesson.teacher,
                 lesson.at_s,
-                source,
+                " ".join(map(str, lesson.origins)),
+                change,
             ),
         )
         assert cursor.lastrowid is not None
-        return cursor.lastrowid
+        return replace(lesson, ident=cursor.lastrowid)
 
-    def retract(self, ident: int, by: str, at_s: float) -> None:
-        """Take a lesson out of force; the row stays."""
+    def _adapt(self, change: int, adapted: Adapted) -> None:
+        """Note it; of the robot's own adaptations of a lesson only the last few are kept."""
         self._db.execute(
-            "INSERT INTO retraction (lesson, at_s, by) VALUES (?, ?, ?)", (ident, at_s, by)
+            "INSERT INTO adaptation VALUES (?, ?, ?, ?)",
+            (change, adapted.lesson, adapted.before, adapted.after),
+        )
+        self._db.execute(
+            "DELETE FROM adaptation WHERE lesson = ? AND change IN (SELECT adaptation.change FROM adaptation"
+            " JOIN change ON change.ident = adaptation.change WHERE lesson = ? AND own"
+            " ORDER BY adaptation.change DESC LIMIT -1 OFFSET ?)",
+            (adapted.lesson, adapted.lesson, ADAPTATIONS_KEPT),
+        )
+        self._db.execute(
+            "DELETE FROM change WHERE own AND ident NOT IN (SELECT change FROM adaptation)"
+            " AND ident NOT IN (SELECT change FROM lesson) AND ident NOT IN (SELECT undone FROM undoing)"
+            " AND ident NOT IN (SELECT change FROM undoing) AND ident NOT IN (SELECT change FROM retraction)"
         )
 
-    def restore(self, ident: int) -> None:
-        """Undo every retraction of a lesson."""
-        self._db.execute("UPDATE retraction SET undone = 1 WHERE lesson = ?", (ident,))
+    @contextmanager
+    def _transaction(self) -> Iterator[None]:
+        self._db.execute("BEGIN IMMEDIATE")
+        try:
+            yield
+        except BaseException:
+            self._db.execute("ROLLBACK")
+            raise
+        self._db.execute("COMMIT")
 
     def log(self, at_s: float, text: str, speaker: str, source: str, kind: str) -> None:
         """Note an utterance; the oldest are dropped beyond the bound."""
@@ -186,62 +236,6 @@ class Store:
         if self._lock is not None:
             os.close(self._lock)
             self._lock = None
-
-
-def _locked(path: Path) -> int:
-    try:
-        path.parent.mkdir(parents=True, exist_ok=True)
-        lock = os.open(path.with_suffix(".lock"), os.O_RDWR | os.O_CREAT | os.O_CLOEXEC, 0o600)
-    except OSError as error:
-        raise StoreError(path, f"cannot be opened ({error.strerror})") from error
-    try:
-        fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
-    except OSError as error:
-        owner = os.read(lock, 20).decode(errors="replace").strip()
-        os.close(lock)
-        why = f"in use by another sayso (process {owner or 'unknown'})"
-        raise StoreError(path, f"{why}; stop it, or set SAYSO_STATE_DIR") from error
-    os.truncate(lock, 0)
-    os.write(lock, f"{os.getpid()}\n".encode())
-    return lock
-
-
-def _connected(path: Path) -> sqlite3.Connection:
-    _check_header(path)
-    db = sqlite3.connect(path, check_same_thread=False, isolation_level=None)
-    try:
-        db.execute("PRAGMA synchronous = FULL")
-        (application,) = db.execute("PRAGMA application_id").fetchone()
-        (version,) = db.execute("PRAGMA user_version").fetchone()
-        (tables,) = db.execute("SELECT count(*) FROM sqlite_schema").fetchone()
-        if tables and application != APPLICATION:
-            raise StoreError(path, "not a store of Sayso; it was not touched")
-        if version > SCHEMA_VERSION:
-            newer = f"written by a newer Sayso (schema {version}, this one knows {SCHEMA_VERSION})"
-            raise StoreError(path, f"{newer}; it was kept as it is")
-        (verdict,) = db.execute("PRAGMA quick_check(1)").fetchone()
-        if verdict != "ok":
-            raise sqlite3.DatabaseError(verdict)
-        db.execute("PRAGMA journal_mode = WAL")
-        if not tables:
-            db.executescript(f"BEGIN IMMEDIATE; {SCHEMA} COMMIT;")
-    except BaseException:
-        db.close()
-        raise
-    return db
-
-
-def _check_header(path: Path) -> None:
-    """SQLite itself takes a file of a few bytes for an empty one and would write over it."""
-    try:
-        with path.open("rb") as file:
-            start = file.read(16)
-    except FileNotFoundError:
-        return
-    except OSError as error:
-        raise StoreError(path, f"cannot be read ({error.strerror})") from error
-    if start and start != b"SQLite format 3\0":
-        raise sqlite3.DatabaseError("not a database file")
 
 
 def _migrated(notation: str, version: int) -> str:

@@ -7,9 +7,11 @@ from collections.abc import Iterator
 from typing import Final
 
 from daemon import events
+from grammars.render import render
 from grammars.replies import Said
 from kernel.action.call import BodyState
 from kernel.action.trace import Record
+from kernel.memory.policy import Shift
 from kernel.memory.reply import (
     Answer,
     FactTaken,
@@ -71,6 +73,21 @@ def from_record(record: Record, now_s: float) -> events.Event:
         case what:
             shown = " ".join(f"{key}={value}" for key, value in data.items())
             return events.Noted(t=now_s, what=what, text=shown, utterance=record.utterance)
+
+
+def from_shift(shift: Shift, now_s: float) -> Iterator[events.Event]:
+    """The events of lessons that came into force and of lessons that went."""
+    for lesson in shift.entered:
+        yield events.Lesson(
+            t=now_s,
+            ident=lesson.ident,
+            kind=lesson.kind,
+            words=lesson.words,
+            readback=render(lesson.content, "teacher"),
+            teacher=lesson.teacher,
+        )
+    for lesson in shift.left:
+        yield events.Retracted(t=now_s, ident=lesson.ident, words=lesson.words)
 
 
 def from_reply(reply: Reply, said: Said, now_s: float) -> Iterator[events.Event]:

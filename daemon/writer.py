@@ -1,4 +1,4 @@
-"""How the cycle's lessons reach the store: at once (virtual time), or through the one writer thread (real time)."""
+"""How changes of the policy reach the store: at once (virtual time), or through the one writer thread (real time)."""
 
 from __future__ import annotations
 
@@ -11,38 +11,38 @@ from queue import SimpleQueue
 from typing import Protocol
 
 from daemon.store import Store
-from kernel.memory.lesson import Lesson
+from kernel.memory.change import Change
 
 
 @dataclass(frozen=True, slots=True)
 class Kept:
-    """A lesson is durable under this number."""
+    """A change is durable; it carries its numbers now."""
 
     key: int
-    ident: int
+    change: Change
 
 
 @dataclass(frozen=True, slots=True)
 class NotKept:
-    """A lesson could not be stored. why: for a person."""
+    """A change could not be stored. why: for a person."""
 
     key: int
     why: str
 
 
 class Keeper(Protocol):
-    """Where lessons are made durable, at once or in a thread of its own."""
+    """Where changes of the policy are made durable, at once or in a thread of its own."""
 
-    def keep(self, key: int, lesson: Lesson, source: str = "") -> None:
+    def keep(self, key: int, change: Change, source: str = "") -> None:
         """Begin to store it. source: where its words came from."""
 
     def results(self) -> list[Kept | NotKept]:
         """What was decided since the last call."""
 
 
-def _kept(store: Store, key: int, lesson: Lesson, source: str) -> Kept | NotKept:
+def _kept(store: Store, key: int, change: Change, source: str) -> Kept | NotKept:
     try:
-        return Kept(key, store.add(lesson, source))
+        return Kept(key, store.add(change, source))
     except sqlite3.Error as error:
         return NotKept(key, str(error))
 
@@ -54,9 +54,9 @@ class AtOnce:
         self._store = store
         self._results: list[Kept | NotKept] = []
 
-    def keep(self, key: int, lesson: Lesson, source: str = "") -> None:
+    def keep(self, key: int, change: Change, source: str = "") -> None:
         """Store it now; the result waits for `results`."""
-        self._results.append(_kept(self._store, key, lesson, source))
+        self._results.append(_kept(self._store, key, change, source))
 
     def results(self) -> list[Kept | NotKept]:
         """Results since the last call."""
@@ -70,7 +70,7 @@ class Writer:
     Args:
         store: used by that thread alone from now on, until `close` returns.
         wake: called from that thread after each result.
-        failed: called from that thread with the reason when something other than a lesson could not be written.
+        failed: called from that thread with the reason when something other than a change could not be written.
     """
 
     def __init__(
@@ -82,9 +82,9 @@ class Writer:
         self._thread = threading.Thread(target=self._run, name="store", daemon=True)
         self._thread.start()
 
-    def keep(self, key: int, lesson: Lesson, source: str = "") -> None:
-        """Queue a lesson."""
-        self._jobs.put(lambda: self._keep(key, lesson, source))
+    def keep(self, key: int, change: Change, source: str = "") -> None:
+        """Queue a change."""
+        self._jobs.put(lambda: self._keep(key, change, source))
 
     def results(self) -> list[Kept | NotKept]:
         """Results since the last call."""
@@ -99,8 +99,8 @@ class Writer:
         self._jobs.put(None)
         self._thread.join(timeout_s)
 
-    def _keep(self, key: int, lesson: Lesson, source: str) -> None:
-        self._results.append(_kept(self._store, key, lesson, source))
+    def _keep(self, key: int, change: Change, source: str) -> None:
+        self._results.append(_kept(self._store, key, change, source))
         self._wake()
 
     def _run(self) -> None:

@@ -3,17 +3,20 @@
 from __future__ import annotations
 
 import random
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 
 from kernel.action.arbiter import Claim
 from kernel.action.call import Bid, Tick
 from kernel.action.trace import Record, What
 from kernel.memory.attention import Failure, Focus
+from kernel.memory.change import Change
 from kernel.memory.lesson import Lesson, Operator, Rule
 from kernel.memory.operators import Operators
+from kernel.memory.policy import Policy, Shift
 from kernel.memory.reply import LessonTaken, Reason, Reply
 from kernel.memory.settings import Settings
 from kernel.memory.working import WorkingMemory
+from kernel.net.node import Node
 
 
 @dataclass(slots=True)
@@ -21,8 +24,8 @@ class Commons:
     """Memory, policy, the present, and what this tick brings forth.
 
     Attributes:
-        lessons: in force, by number.
-        pending: lessons the store has not answered for, by key, with the focus each came from.
+        policy: what is in force of all that was learned; facts: the node of each stored fact in force, by lesson.
+        pending: changes the store has not answered for: the focus each came from, by key.
         struck: tickets that must fail at their next turn, and why.
     """
 
@@ -35,9 +38,11 @@ class Commons:
     speech: list[Bid] = field(default_factory=list)
     trace: list[Record] = field(default_factory=list)
     replies: list[Reply] = field(default_factory=list)
-    persist: list[tuple[int, Lesson]] = field(default_factory=list)
-    pending: dict[int, tuple[Focus, Lesson]] = field(default_factory=dict)
-    lessons: dict[int, Lesson] = field(default_factory=dict)
+    persist: list[tuple[int, Change]] = field(default_factory=list)
+    shift: Shift = field(default_factory=Shift)
+    pending: dict[int, Focus] = field(default_factory=dict)
+    policy: Policy = field(default_factory=Policy)
+    facts: dict[int, Node] = field(default_factory=dict)
     struck: dict[int, Reason] = field(default_factory=dict)
     tickets: int = 0
 
@@ -51,37 +56,65 @@ class Commons:
         number, words = (focus.number, focus.words) if focus else (0, "")
         self.trace.append(Record(self.tick.now_s, what, number, words, data))
 
-    def keep(self, focus: Focus, lesson: Lesson) -> int:
-        """Ask the store to keep a lesson; the key of its answer."""
+    @property
+    def lessons(self) -> dict[int, Lesson]:
+        """Lessons in force, by number."""
+        return self.policy.lessons
+
+    def keep(self, focus: Focus, change: Change) -> int:
+        """Ask the store to keep a change of the policy; the key of its answer."""
         key = self.next_number()
-        self.persist.append((key, lesson))
-        self.pending[key] = (focus, lesson)
+        self.persist.append((key, change))
+        self.pending[key] = focus
         return key
 
-    def kept(self, key: int, ident: int) -> None:
-        """The lesson is durable: it is in force, even if its focus was stopped meanwhile."""
+    def kept(self, key: int, change: Change) -> None:
+        """The change is durable: it counts, even if its focus was stopped meanwhile."""
         if key not in self.pending:
             return
-        focus, lesson = self.pending.pop(key)
-        lesson = replace(lesson, ident=ident)
-        self.enforce(lesson)
-        self.record("lesson", focus, ident=ident, kind=lesson.kind)
-        if lesson.kind != "fact":
-            self.replies.append(LessonTaken(lesson))
+        focus = self.pending.pop(key)
+        shift = self.change(change)
+        self.shift += shift
+        for lesson in shift.entered:
+            self.record("lesson", focus, ident=lesson.ident, kind=lesson.kind)
+        for lesson in shift.left:
+            self.record("retracted", focus, ident=lesson.ident)
+        self.replies += [
+            LessonTaken(x) for x in change.learned if x.kind != "fact" and not x.origins
+        ]
 
     def not_kept(self, key: int, why: str) -> None:
         """The store could not keep it."""
         if key in self.pending:
-            focus, _ = self.pending.pop(key)
-            focus.failure = Failure("not_stored", None, why)
+            self.pending.pop(key).failure = Failure("not_stored", None, why)
 
-    def enforce(self, lesson: Lesson) -> None:
-        """Put a lesson in force."""
-        self.lessons[lesson.ident] = lesson
+    def bear(self, lesson: Lesson) -> None:
+        """Put a lesson in force that was there from the start."""
+        self.policy.bear(lesson)
+        self._enforce(lesson)
+
+    def change(self, change: Change) -> Shift:
+        """Let a stored change take effect."""
+        shift = self.policy.apply(change)
+        for lesson in shift.left:
+            self._retire(lesson)
+        for lesson in shift.entered:
+            self._enforce(lesson)
+        self.memory.changed()
+        return shift
+
+    def _enforce(self, lesson: Lesson) -> None:
         if isinstance(lesson.content, Rule):
             self.memory.rules.add(lesson)
         elif isinstance(lesson.content, Operator):
             self.operators.add(lesson)
         else:
-            self.memory.recall_fact(lesson.content)
-        self.memory.changed()
+            self.facts[lesson.ident] = self.memory.recall_fact(lesson.content)
+
+    def _retire(self, lesson: Lesson) -> None:
+        if isinstance(lesson.content, Rule):
+            self.memory.rules.remove(lesson)
+        elif isinstance(lesson.content, Operator):
+            self.operators.remove(lesson)
+        else:
+            self.memory.retract(self.facts.pop(lesson.ident))

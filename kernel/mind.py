@@ -19,10 +19,12 @@ from kernel.action.verdict import Verdict
 from kernel.attending import attend, notice
 from kernel.commons import Commons
 from kernel.memory.attention import ROOM, Attention, Failure, Focus
+from kernel.memory.change import Change
 from kernel.memory.exchange import Inputs, Outputs
 from kernel.memory.lesson import Lesson, Operator
 from kernel.memory.meaning import Heard
 from kernel.memory.operators import Operators
+from kernel.memory.policy import Shift
 from kernel.memory.reply import Failed, Halted, Refused
 from kernel.memory.settings import Settings
 from kernel.memory.working import WorkingMemory
@@ -32,19 +34,27 @@ from kernel.net.node import Node, describe
 PARTS: Final = ("gripper", "lift", "fork", "wheel", "battery", "finger", "arm")
 TAKEOVERS: Final = 3  # the same reaction may pre-empt the same focus so often in TAKEOVER_S
 TAKEOVER_S: Final = 10.0
+INNATE: Final = (
+    -1_000_000
+)  # number of the first operator of the body's own skills; the others are below
 
 
 class Mind:
     """All that deliberates.
 
     Args:
-        lessons: what is in force at the start, born knowledge included.
+        lessons: what is in force from the start, born knowledge included.
+        history: every stored change of what was taught, oldest first.
         seed: of the chances it takes.
         settings: numbers of mind.md.
     """
 
     def __init__(
-        self, lessons: Iterable[Lesson] = (), seed: int = 0, settings: Settings | None = None
+        self,
+        lessons: Iterable[Lesson] = (),
+        seed: int = 0,
+        settings: Settings | None = None,
+        history: Iterable[Change] = (),
     ) -> None:
         for package in ("kernel.directives", "kernel.grounding"):
             load_all(package)
@@ -57,12 +67,14 @@ class Mind:
         self.epoch = 0
         self.speaker = ""
         for lesson in (*innate(), *lessons):
-            self._commons.enforce(lesson)
+            self._commons.bear(lesson)
+        for change in history:
+            self._commons.change(change)
 
     @property
     def policy(self) -> tuple[Lesson, ...]:
-        """Lessons in force that were taught or born as sentences."""
-        return tuple(lesson for lesson in self._commons.lessons.values() if lesson.words)
+        """Lessons in force, without the operators of the body's own skills."""
+        return tuple(x for x in self._commons.lessons.values() if x.ident > INNATE)
 
     @property
     def memory(self) -> WorkingMemory:
@@ -77,8 +89,8 @@ class Mind:
         commons, now_s = self._commons, inputs.now_s
         commons.tick.now_s, commons.tick.body = now_s, inputs.body
         commons.tick.spoken = inputs.spoken
-        for key, ident in inputs.persisted:
-            commons.kept(key, ident)
+        for key, change in inputs.persisted:
+            commons.kept(key, change)
         for key, why in inputs.persist_failed:
             commons.not_kept(key, why)
         stopping = inputs.stop_epoch > self.epoch
@@ -95,12 +107,14 @@ class Mind:
             speech=tuple(commons.speech),
             replies=tuple(commons.replies),
             persist=tuple(commons.persist),
+            shift=commons.shift,
             trace=tuple(commons.trace),
             stop_epoch=self.epoch,
             busy=bool(self._attention.active()),
         )
         for produced in (commons.speech, commons.replies, commons.persist, commons.trace):
             produced.clear()
+        commons.shift = Shift()
         return outputs
 
     # -- what comes in ---------------------------------------------------------------------
@@ -241,5 +255,5 @@ def innate() -> list[Lesson]:
                 Directive("DO", sketch.graphlet(act)),
                 sequence(Directive("FCN", sketch.graphlet(function))),
             )
-            lessons.append(Lesson(-1_000_000 - len(lessons), "procedure", operator))
+            lessons.append(Lesson(INNATE - len(lessons), "procedure", operator))
     return lessons

@@ -58,7 +58,8 @@ class Selection:
             operator = lesson.content
             if not isinstance(operator, Operator) or operator.trigger.graphlet is None:
                 continue
-            if operator.preference < self.commons.settings.least_preference and tag in (
+            preference = self.commons.policy.strength(lesson)
+            if preference < self.commons.settings.least_preference and tag in (
                 "NOTE",
                 "DO",
             ):

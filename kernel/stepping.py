@@ -10,6 +10,7 @@ from kernel.action.step import Advice, Run, StepReason
 from kernel.action.verdict import Verdict
 from kernel.calling import act_text, call
 from kernel.memory.attention import Failure
+from kernel.memory.change import Change
 from kernel.memory.choice import choice_weights, in_turn
 from kernel.memory.meaning import Question
 from kernel.memory.recall import answer, is_so, known, named
@@ -65,7 +66,7 @@ class RunningStep:
         if not found:
             return
         weights = choice_weights(
-            [c.operator.preference for c in found],
+            [self.commons.policy.strength(c.lesson) for c in found],
             [c.specificity for c in found],
             self.commons.settings.sharpness,
         )
@@ -161,7 +162,8 @@ class RunningStep:
         lesson = self.focus.lesson
         if lesson is None:
             return Verdict.FAILED
-        key = self.commons.keep(self.focus, lesson)
+        change = Change(by=lesson.teacher, words=lesson.words, at_s=lesson.at_s, learned=(lesson,))
+        key = self.commons.keep(self.focus, change)
         while key in self.commons.pending:
             yield
         failure = self.focus.failure

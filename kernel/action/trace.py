@@ -17,6 +17,7 @@ What = Literal[
     "permitted",
     "verdict",  # a focus ended: data verdict, text
     "lesson",
+    "retracted",  # data ident
     "fact",
     "sensed",
     "concluded",

@@ -6,8 +6,9 @@ from dataclasses import dataclass, field
 
 from kernel.action.call import Bid, BodyState
 from kernel.action.trace import Record
-from kernel.memory.lesson import Lesson
+from kernel.memory.change import Change
 from kernel.memory.meaning import Heard
+from kernel.memory.policy import Shift
 from kernel.memory.reply import Reply
 
 
@@ -18,8 +19,8 @@ class Inputs:
     body: the body's own report.
     heard: utterances with their meanings, oldest first.
     spoken: voice tickets whose speech has ended.
-    persisted: (key, ident): lessons now durable, with their numbers from the store.
-    persist_failed: (key, why): lessons that could not be kept.
+    persisted: (key, change): changes now durable, with their numbers and those of their lessons from the store.
+    persist_failed: (key, why): changes that could not be kept.
     stop_epoch: the link's count of stops; greater than the mind's own means: halt everything.
     """
 
@@ -27,7 +28,7 @@ class Inputs:
     body: BodyState = field(default_factory=BodyState)
     heard: tuple[Heard, ...] = ()
     spoken: frozenset[int] = frozenset()
-    persisted: tuple[tuple[int, int], ...] = ()
+    persisted: tuple[tuple[int, Change], ...] = ()
     persist_failed: tuple[tuple[int, str], ...] = ()
     stop_epoch: int = 0
 
@@ -38,7 +39,9 @@ class Outputs:
     bids: the winners for the body, all of them, every tick: a resource without one comes to rest.
     speech: bids for the voice, each once, when it starts; end them with Inputs.spoken.
     replies: to be put into English, shown and spoken.
-    persist: (key, lesson): lessons to store; answer with Inputs.persisted or persist_failed under the same key.
+    persist: (key, change): changes of the policy to store; answer with Inputs.persisted or persist_failed under the
+        same key.
+    shift: what came into force in this tick and what went.
     trace: what was decided in this tick.
     stop_epoch: the epoch in which bids were computed.
     busy: some focus is active.
@@ -47,7 +50,8 @@ class Outputs:
     bids: tuple[Bid, ...] = ()
     speech: tuple[Bid, ...] = ()
     replies: tuple[Reply, ...] = ()
-    persist: tuple[tuple[int, Lesson], ...] = ()
+    persist: tuple[tuple[int, Change], ...] = ()
+    shift: Shift = field(default_factory=Shift)
     trace: tuple[Record, ...] = ()
     stop_epoch: int = 0
     busy: bool = False

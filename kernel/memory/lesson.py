@@ -71,6 +71,7 @@ class Lesson:
         words: the teacher's exact words: this is evidence.
         teacher: name of the person, "" if not identified.
         at_s: wall time, s since 1970.
+        origins: numbers of the lessons the robot made it from by itself (chunking); empty for what was taught.
     """
 
     ident: int
@@ -79,3 +80,14 @@ class Lesson:
     words: str = ""
     teacher: str = ""
     at_s: float = 0.0
+    origins: tuple[int, ...] = ()
+
+    @property
+    def strength(self) -> float:
+        """As taught: an operator's preference, a rule's belief, 1 for a fact."""
+        match self.content:
+            case Operator(preference=preference):
+                return preference
+            case Rule(belief=belief):
+                return belief
+        return 1.0

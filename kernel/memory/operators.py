@@ -26,14 +26,20 @@ class Operators:
         Raises:
             TypeError: the lesson is not an operator.
         """
+        self._shelf(lesson).append(lesson)
+
+    def remove(self, lesson: Lesson) -> None:
+        """Take an operator lesson out of force."""
+        self._shelf(lesson).remove(lesson)
+
+    def _shelf(self, lesson: Lesson) -> list[Lesson]:
         if not isinstance(lesson.content, Operator):
             raise TypeError(lesson.content)
         trigger = lesson.content.trigger
         word = _key(trigger.tag, trigger.graphlet) if trigger.graphlet else ""
         if trigger.tag == "NOTE":
-            self._reactions.setdefault(word, []).append(lesson)
-        else:
-            self._by_key.setdefault((trigger.tag, word), []).append(lesson)
+            return self._reactions.setdefault(word, [])
+        return self._by_key.setdefault((trigger.tag, word), [])
 
     def for_node(self, tag: str, node: Node) -> Iterator[Lesson]:
         """Operators whose main node might be this one."""

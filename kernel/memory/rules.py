@@ -24,6 +24,11 @@ class RuleBook:
             raise TypeError(lesson.content)
         self._by_word.setdefault(_key(lesson.content), []).append((lesson, lesson.content))
 
+    def remove(self, lesson: Lesson) -> None:
+        """Take a rule lesson out of force."""
+        if isinstance(lesson.content, Rule):
+            self._by_word[_key(lesson.content)].remove((lesson, lesson.content))
+
     def candidates(self, net: Net) -> Iterator[tuple[Lesson, Rule]]:
         """Rules that might fire on what the net holds, in the order they were taught."""
         found: list[tuple[Lesson, Rule]] = list(self._by_word.get("", ()))

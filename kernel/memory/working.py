@@ -153,8 +153,8 @@ class WorkingMemory:
         """Whether it is a part of the robot's own body."""
         return node in self._born
 
-    def recall_fact(self, fact: Graphlet) -> None:
-        """Take a fact that was stored: its named things are those known by these names."""
+    def recall_fact(self, fact: Graphlet) -> Node:
+        """Take a fact that was stored, and return its main node: its named things are those known by these names."""
         named: Binding = {}
         for term in fact.terms:
             if term.kind == "obj" and term.lex:
@@ -164,6 +164,7 @@ class WorkingMemory:
         _, carrying = self.tell(fact, named)
         for node in named.values():
             self.told[carrying[0]] = tuple(dict.fromkeys((*self.told[carrying[0]], node)))
+        return carrying[0]
 
     def forget(self, nodes: Iterable[Node]) -> None:
         """Drop nodes of a focus that has faded, but for what was told or sensed, what that is about, and what other

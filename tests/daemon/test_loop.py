@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import random
 import sys
+from dataclasses import replace
 from pathlib import Path
 from typing import NoReturn
 
@@ -14,8 +15,8 @@ from daemon.store import Store
 from daemon.understanding import halts, is_stop, understand
 from daemon.writer import Kept, NotKept
 from firmware_proto.messages import Drive, Heartbeat, Stop
+from kernel.memory.change import Change
 from kernel.memory.exchange import Inputs
-from kernel.memory.lesson import Lesson
 from kernel.memory.meaning import Control, Feedback, Utterance
 from kernel.memory.notation import read
 
@@ -58,18 +59,19 @@ def test_what_is_not_understood_moves_nothing_and_is_told(text: str) -> None:
 
 def test_a_lesson_is_told_once_it_is_durable_and_its_words_are_known_from_then_on() -> None:
     class SlowKeeper:
-        waiting: tuple[int, Lesson] | None = None
+        waiting: tuple[int, Change] | None = None
         done: bool = False
 
-        def keep(self, key: int, lesson: Lesson, source: str = "") -> None:
-            self.waiting = (key, lesson)
+        def keep(self, key: int, change: Change, source: str = "") -> None:
+            self.waiting = (key, change)
             self.source = source
 
         def results(self) -> list[Kept | NotKept]:
             if self.waiting is None or not self.done:
                 return []
-            (key, _), self.waiting = self.waiting, None
-            return [Kept(key, 17)]
+            (key, change), self.waiting = self.waiting, None
+            learned = tuple(replace(lesson, ident=17) for lesson in change.learned)
+            return [Kept(key, replace(change, ident=5, learned=learned))]
 
     keeper = SlowKeeper()
     bench = Bench(keeper=keeper)
@@ -93,7 +95,7 @@ def test_a_lesson_that_cannot_be_kept_is_not_acknowledged() -> None:
     class FullDisk:
         waiting: tuple[NotKept, ...] = ()
 
-        def keep(self, key: int, lesson: Lesson, source: str = "") -> None:
+        def keep(self, key: int, change: Change, source: str = "") -> None:
             self.waiting = (NotKept(key, "database or disk is full"),)
 
         def results(self) -> list[Kept | NotKept]:

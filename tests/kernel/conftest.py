@@ -11,6 +11,7 @@ import pytest
 from kernel.action.call import Bid, BodyState, MoveFailure, MoveGrip, MoveLift, Rotate, Travel
 from kernel.action.chain import Chain
 from kernel.action.trace import Record
+from kernel.memory.change import Change
 from kernel.memory.exchange import Inputs, Outputs
 from kernel.memory.lesson import Content, Lesson, Operator, Rule
 from kernel.memory.meaning import Command, Fact, Heard, Identity, Meaning, Teach, Utterance
@@ -120,6 +121,7 @@ class Robot:
         self._heard: list[Heard] = []
         self._speaking: dict[int, float] = {}
         self._stored = max((lesson.ident for lesson in lessons), default=0)
+        self._changes = 0
         self._epoch = 0
 
     # -- time ------------------------------------------------------------------------------
@@ -130,10 +132,9 @@ class Robot:
         for ticket in spoken:
             del self._speaking[ticket]
         kept, failed = [], []
-        for key, _ in self.out.persist:
+        for key, change in self.out.persist:
             if self.keep:
-                self._stored += 1
-                kept.append((key, self._stored))
+                kept.append((key, self._store(change)))
             else:
                 failed.append((key, "disk full"))
         self.out = self.mind.tick(
@@ -159,6 +160,14 @@ class Robot:
         self.trace += self.out.trace
         self.body.act(self.out.bids, dt_s)
         return self.out
+
+    def _store(self, change: Change) -> Change:
+        learned = []
+        for lesson in change.learned:
+            self._stored += 1
+            learned.append(replace(lesson, ident=self._stored))
+        self._changes += 1
+        return replace(change, ident=self._changes, learned=tuple(learned))
 
     def pass_time(self, seconds: float) -> None:
         until_s = self.now_s + seconds

@@ -1,0 +1,41 @@
+"""Changes of what was learned: the journal, of which every lesson in force is a consequence (mind.md)."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from kernel.memory.lesson import Lesson
+
+
+@dataclass(frozen=True, slots=True)
+class Adapted:
+    """A lesson's strength moved: an operator's preference, a rule's belief. The taught one stays with the lesson."""
+
+    lesson: int
+    before: float
+    after: float
+
+
+@dataclass(frozen=True, slots=True)
+class Change:
+    """One entry of the journal; all of it becomes durable at once, or none of it does.
+
+    Attributes:
+        ident: number in the store, in the order of time; 0 before it is stored.
+        by: who asked for it, "" if not identified; words: the exact words; at_s: wall time, s since 1970.
+        learned: lessons it put in force; stored ones carry their numbers.
+        retracted: numbers of lessons it took out of force.
+        adapted: strengths it moved.
+        undone: numbers of earlier changes it takes back; a change that is taken back itself takes nothing back.
+        own: the robot's own doing (adaptation, chunking), which "undo that" passes over.
+    """
+
+    ident: int = 0
+    by: str = ""
+    words: str = ""
+    at_s: float = 0.0
+    learned: tuple[Lesson, ...] = ()
+    retracted: tuple[int, ...] = ()
+    adapted: tuple[Adapted, ...] = ()
+    undone: tuple[int, ...] = ()
+    own: bool = False
