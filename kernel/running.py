@@ -108,10 +108,16 @@ class Frame:
         if code is None:
             self.explain("no_way", None, directive.tag)
             return Verdict.FAILED
-        verdict = yield from code(RunningStep(self, directive))
-        if verdict is Verdict.PUNTED and directive.tag != "PUNT":
-            # What was punted is the chain below; this one may try another way.
-            return Verdict.FAILED
+        told = {"tag": directive.tag, "text": directive_text(directive), "depth": len(self.within)}
+        self.commons.record("directive", self.focus, **told)
+        verdict = Verdict.STOPPED
+        try:
+            verdict = yield from code(RunningStep(self, directive))
+            if verdict is Verdict.PUNTED and directive.tag != "PUNT":
+                # What was punted is the chain below; this one may try another way.
+                verdict = Verdict.FAILED
+        finally:
+            self.commons.record("directive_ended", self.focus, verdict=verdict.value, **told)
         return verdict
 
     def options(self, find: Directive, later: Sequence[Directive]) -> Iterator[Binding]:
@@ -153,6 +159,16 @@ class Frame:
     def within_operator(self, binding: Binding, lesson: Lesson) -> Frame:
         """A frame for an operator's chain, one level deeper."""
         return Frame(self.commons, self.focus, binding, (*self.within, lesson))
+
+
+def directive_text(directive: Directive) -> str:
+    """The words of a directive's graphlet, the main node's first, for traces."""
+    graphlet = directive.graphlet
+    if graphlet is None:
+        return ""
+    terms = sorted(graphlet.terms, key=lambda t: t.name != graphlet.main)
+    words = (word for t in terms for word in (*sorted(t.lex), *filter(None, (t.literal,))))
+    return " ".join(words)
 
 
 def _lone_find(play: Play) -> Directive | None:

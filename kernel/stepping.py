@@ -74,14 +74,17 @@ class RunningStep:
             "considered",
             self.focus,
             tag=tag,
-            options=tuple((c.lesson.words or str(c.lesson.ident)) for c in found),
+            options=tuple(c.lesson.ident for c in found),
             weights=tuple(round(w, 3) for w in weights),
         )
         order = (
             iter(found) if tag in ("ANTE", "POST") else in_turn(found, weights, self.commons.chance)
         )
         for choice in order:
-            self.commons.record("chosen", self.focus, tag=tag, lesson=choice.lesson.ident)
+            depth = len(self.frame.within)
+            self.commons.record(
+                "chosen", self.focus, tag=tag, lesson=choice.lesson.ident, depth=depth
+            )
             if tag == "ANTE" and choice.operator.prohibits:
                 self.prohibit(choice)
             yield choice

@@ -8,6 +8,8 @@ from typing import Literal
 
 What = Literal[
     "focus",  # a focus was posted: data text
+    "directive",  # one was posted: data tag, text, depth (operators it is done within)
+    "directive_ended",  # the same, and verdict
     "considered",  # operators that matched and their weights
     "chosen",  # the operator chosen
     "action_started",  # a grounding function was called: data function, words, text
