@@ -19,7 +19,7 @@ from daemon.writer import Keeper, Kept, NotKept
 from firmware_proto.told import SessionState
 from grammars.errors import NotUnderstoodError
 from grammars.replies import say
-from grammars.vocabulary import from_policy
+from grammars.vocabulary import extended, from_policy
 from kernel.action.call import BodyState
 from kernel.memory.exchange import Inputs, Outputs
 from kernel.memory.meaning import Command, Heard, Revision, Utterance
@@ -218,6 +218,7 @@ class Cycle:
     def _tell(self, outputs: Outputs, now_s: float) -> None:
         self._watch_link(now_s)
         self._settle_lessons(now_s)
+        self.vocabulary = extended(self.vocabulary, outputs.shift.entered)
         for event in from_shift(outputs.shift, now_s):
             self._emit(event)
         for key, change in outputs.persist:
@@ -247,7 +248,6 @@ class Cycle:
             self._keeping.discard(result.key)
             if isinstance(result, NotKept):
                 self._emit(events.Error(t=now_s, part="store", text=result.why))
-        self.vocabulary = from_policy(self._mind.policy)
 
     def _watch_link(self, now_s: float) -> None:
         """Told: coming up, going down, and while it is down each new reason once."""

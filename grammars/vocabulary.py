@@ -174,6 +174,24 @@ def from_policy(lessons: Iterable[Lesson]) -> Vocabulary:
     return Vocabulary(BORN.born, taught)
 
 
+def extended(vocabulary: Vocabulary, lessons: Iterable[Lesson]) -> Vocabulary:
+    """The vocabulary with the words of further lessons; the same object where they bring none.
+
+    Words of forgotten lessons stay until the next start: "I don't know how to salute" says more than "I don't know the
+    word salute", and a lesson costs the same however many there are.
+    """
+    new = {
+        word: readings
+        for word, readings in from_policy(lessons).taught.items()
+        if readings.keys() - vocabulary.readings(word).keys()
+    }
+    if not new:
+        return vocabulary
+    known = vocabulary.taught
+    merged = {word: {**readings, **known.get(word, {})} for word, readings in new.items()}
+    return Vocabulary(vocabulary.born, {**known, **merged})
+
+
 def _graphlets(lesson: Lesson) -> Iterator[Graphlet]:
     content = lesson.content
     if isinstance(content, Graphlet):

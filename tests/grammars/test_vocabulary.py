@@ -6,7 +6,7 @@ import pytest
 
 from grammars.parse import closed_words, parse
 from grammars.source import CATEGORIES
-from grammars.vocabulary import BORN, from_policy, lines, set_phrases
+from grammars.vocabulary import BORN, extended, from_policy, lines, set_phrases
 from kernel.memory.lesson import Lesson
 from kernel.memory.meaning import Teach
 
@@ -91,3 +91,19 @@ def test_a_new_kind_is_a_noun_afterwards() -> None:
 def test_the_size_of_the_vocabulary_costs_nothing() -> None:
     many = taught(*(f"to blorp{'ab'[i % 2] * (i + 1)} turn left" for i in range(30)))
     assert from_policy(many).born is BORN.born
+
+
+def test_one_lesson_after_another_teaches_the_words_of_all() -> None:
+    lessons = taught(
+        "to zork drive forward",
+        "widdershins means counterclockwise",
+        "snatch means grab",
+        "if something is a wug it is a person",
+        "to zork a blicket turn left",
+    )
+    grown = BORN
+    for lesson in lessons:
+        grown = extended(grown, [lesson])
+    assert grown == from_policy(lessons)
+    assert extended(grown, lessons) is grown
+    assert not BORN.knows("zork")
