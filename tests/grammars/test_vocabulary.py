@@ -99,7 +99,7 @@ def test_one_lesson_after_another_teaches_the_words_of_all() -> None:
         "widdershins means counterclockwise",
         "snatch means grab",
         "if something is a wug it is a person",
-        "to zork a blicket turn left",
+        "to zork a block turn left",
     )
     grown = BORN
     for lesson in lessons:

@@ -1,6 +1,6 @@
 """Random use of the robot in English: lessons, commands, questions, management, stops, and a world that changes.
 
-Used by the robustness test and by benchmarks/soak.py. A line is `kind, text`; the same random source gives the same lines.
+Used by the robustness test and by benchmarks/soak.py. The same random source gives the same lines.
 """
 
 from __future__ import annotations

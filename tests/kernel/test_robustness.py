@@ -1,6 +1,6 @@
 """Whatever is taught, commanded, stopped and sensed in whatever order: the promises that always hold.
 
-No exception; wheels idle when nobody bids; bounded memory; every focus ends or waits for something that has a name; what is
+No exception; wheels idle when nobody bids; bounded memory; every focus ends or waits for a named thing; what is
 forbidden never reaches the body; a stop within one tick; the same seed gives the same trace.
 """
 
