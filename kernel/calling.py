@@ -42,7 +42,7 @@ def call(commons: Commons, focus: Focus, name: str, act: Node) -> Run:
     verdict = Verdict.STOPPED
     running = grounding.code(Call(act, commons.memory.depth, ticket), commons.tick)
     try:
-        verdict = yield from _served(commons, focus, running, ticket)
+        verdict = yield from _served(commons, focus, running, name, ticket)
     except KernelError as error:
         focus.failure = focus.failure or _explained(error, act)
         verdict = Verdict.FAILED
@@ -52,7 +52,7 @@ def call(commons: Commons, focus: Focus, name: str, act: Node) -> Run:
     return verdict
 
 
-def _served(commons: Commons, focus: Focus, running: Act, ticket: int) -> Run:
+def _served(commons: Commons, focus: Focus, running: Act, name: str, ticket: int) -> Run:
     """Pass the function's bids on; fail it when the mind has struck its ticket."""
     spoken = False
     while True:
@@ -71,6 +71,7 @@ def _served(commons: Commons, focus: Focus, running: Act, ticket: int) -> Run:
                 spoken = True
         elif bid is not None:
             commons.claims.append(Claim(focus.number, bid))
+        focus.waits.add(name)
         yield
 
 

@@ -77,6 +77,11 @@ class Mind:
         return tuple(x for x in self._commons.lessons.values() if x.ident > INNATE)
 
     @property
+    def foci(self) -> tuple[Focus, ...]:
+        """What is in attention, newest first; for looking."""
+        return tuple(self._attention)
+
+    @property
     def memory(self) -> WorkingMemory:
         """For looking, not for touching."""
         return self._commons.memory
@@ -173,6 +178,7 @@ class Mind:
         for focus in self._attention.active():
             if focus.run is None:
                 continue
+            focus.waits.clear()
             try:
                 next(focus.run)
             except StopIteration as end:

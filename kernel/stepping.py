@@ -168,6 +168,7 @@ class RunningStep:
         change = Change(by=lesson.teacher, words=lesson.words, at_s=lesson.at_s, learned=(lesson,))
         key = self.commons.keep(self.focus, change)
         while key in self.commons.pending:
+            self.focus.waits.add("store")
             yield
         failure = self.focus.failure
         refused = failure is not None and failure.reason == "not_stored"

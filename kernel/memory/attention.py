@@ -53,6 +53,8 @@ class Focus:
         reaction: the NOTE operator it followed first; lesson: what it is to learn.
         said: how often it has spoken.
         preempted: when which lesson's reaction took a resource from it, s.
+        waits: what its chains wait for: the grounding functions, the store, a condition, an answer; set by whatever
+            yields, so that nothing waits for nothing.
     """
 
     number: int
@@ -67,6 +69,7 @@ class Focus:
     lesson: Lesson | None = None
     said: int = 0
     preempted: list[tuple[float, int]] = field(default_factory=list)
+    waits: set[str] = field(default_factory=set)
 
     @property
     def words(self) -> str:

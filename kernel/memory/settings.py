@@ -16,6 +16,7 @@ class Settings:
         least_preference: operators below it are not considered.
         sharpness: exponent on preference when choosing.
         fade_s: how long a handled focus stays in attention, s.
+        owner: name of the person who may also forget, undo and permit what others forbade; "" for nobody.
     """
 
     threshold: float = 0.5
@@ -25,3 +26,4 @@ class Settings:
     least_preference: float = 0.2
     sharpness: float = 1.0
     fade_s: float = 30.0
+    owner: str = ""
