@@ -4,16 +4,20 @@ from __future__ import annotations
 
 import random
 from dataclasses import dataclass, field, replace
+from typing import Final
 
 from kernel.action.arbiter import Claim
 from kernel.action.call import Bid, Tick
 from kernel.action.trace import Record, What
-from kernel.memory.attention import Failure, Focus
+from kernel.memory.asking import Asking
+from kernel.memory.attention import Attention, Failure, Focus
 from kernel.memory.lesson import Lesson, Operator, Rule
 from kernel.memory.operators import Operators
 from kernel.memory.reply import LessonTaken, Reason, Reply
 from kernel.memory.settings import Settings
 from kernel.memory.working import WorkingMemory
+
+STEPS_A_TICK: Final = 1000  # mind.md: then a tick yields and logs
 
 
 @dataclass(slots=True)
@@ -21,9 +25,12 @@ class Commons:
     """Memory, policy, the present, and what this tick brings forth.
 
     Attributes:
+        attention: all foci.
+        asking: which thing is meant: the question that is open.
         lessons: in force, by number.
         pending: lessons the store has not answered for, by key, with the focus each came from.
         struck: tickets that must fail at their next turn, and why.
+        steps: directives carried out in this tick.
     """
 
     memory: WorkingMemory
@@ -36,15 +43,23 @@ class Commons:
     trace: list[Record] = field(default_factory=list)
     replies: list[Reply] = field(default_factory=list)
     persist: list[tuple[int, Lesson]] = field(default_factory=list)
+    attention: Attention = field(default_factory=Attention)
+    asking: Asking | None = None
     pending: dict[int, tuple[Focus, Lesson]] = field(default_factory=dict)
     lessons: dict[int, Lesson] = field(default_factory=dict)
     struck: dict[int, Reason] = field(default_factory=dict)
     tickets: int = 0
+    steps: int = 0
 
     def next_number(self) -> int:
         """A fresh number for a ticket or a pending lesson."""
         self.tickets += 1
         return self.tickets
+
+    @property
+    def out_of_breath(self) -> bool:
+        """So much was done in this tick that the rest has to wait for the next."""
+        return self.steps >= STEPS_A_TICK
 
     def record(self, what: What, focus: Focus | None, **data: object) -> None:
         """Leave a trace record."""

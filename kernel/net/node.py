@@ -34,9 +34,11 @@ class Node:
         level: WORKING, BAND_1, BAND_2, REMEMBERED or HYPOTHETICAL.
         reasons: for a conclusion, the nodes it rests on; rule: number of the rule lesson, else 0.
         stamp: when it was last mentioned, a running count.
+        assumed: nobody told of it: it was taken to exist as the object of an act (FIND).
     """
 
     __slots__ = (
+        "assumed",
         "belief",
         "halo_lex",
         "into",
@@ -64,6 +66,7 @@ class Node:
         self.reasons: frozenset[Node] = frozenset()
         self.rule = 0
         self.stamp = 0
+        self.assumed = False
 
     def __repr__(self) -> str:
         return f"<{self.name} {' '.join(sorted(self.lex))}>"
