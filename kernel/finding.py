@@ -96,7 +96,9 @@ def _found_out(frame: Frame, find: Directive, start: Binding, tried: set[Node]) 
                 yield option
 
 
-def _asked(frame: Frame, graphlet: Graphlet, things: tuple[Node, ...]) -> Generator[None, None, Node | None]:  # fmt: skip
+def _asked(
+    frame: Frame, graphlet: Graphlet, things: tuple[Node, ...]
+) -> Generator[None, None, Node | None]:
     """Ask which of them is meant and wait for the answer; None where none comes in time."""
     commons = frame.commons
     question = which(graphlet, things)
