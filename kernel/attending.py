@@ -146,7 +146,9 @@ def _choose(commons: Commons, focus: Focus, described: Graphlet) -> None:
     asking = commons.asking
     if asking is None:
         return
-    if asking.take(described, commons.memory.net):
+    if (chosen := asking.take(described, commons.memory.net)) is not None:
+        commons.memory.net.touch(chosen)
+        focus.nodes[chosen] = None
         commons.record("answered", focus, text=" ".join(sorted(described.words())))
     else:
         commons.replies.append(asking.question)

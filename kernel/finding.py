@@ -12,15 +12,8 @@ from typing import TYPE_CHECKING
 from kernel.action.chain import Directive
 from kernel.action.verdict import Verdict
 from kernel.memory.asking import PATIENCE_S, Asking, equal_best, which
-from kernel.memory.recall import (
-    is_thing,
-    may_assume,
-    missing,
-    referents,
-    sought,
-    spelled_out,
-    values,
-)
+from kernel.memory.recall import may_assume, missing, referents
+from kernel.memory.wondering import is_thing, sought, spelled_out, values
 from kernel.net.graphlet import Graphlet
 from kernel.net.match import Binding
 from kernel.net.node import Node

@@ -6,8 +6,8 @@ from kernel.action.chain import Chain, Directive
 from kernel.action.step import Run
 from kernel.action.verdict import Verdict
 from kernel.memory.meaning import Question
-from kernel.memory.recall import is_thing, spelled_out
 from kernel.memory.reply import Answer
+from kernel.memory.wondering import is_thing, spelled_out
 from kernel.net.graphlet import Graphlet
 from kernel.net.node import describe
 from kernel.running import Frame

@@ -10,7 +10,8 @@ from typing import Final
 from kernel.commons import Commons
 from kernel.memory.attention import Focus
 from kernel.memory.lesson import Lesson, Operator
-from kernel.memory.recall import SEEKING_VERBS, known
+from kernel.memory.recall import known
+from kernel.memory.wondering import SEEKING_VERBS
 from kernel.net.graphlet import Graphlet
 from kernel.net.match import Binding, holds, matches
 from kernel.net.node import Node

@@ -14,8 +14,9 @@ from kernel.memory.attention import Failure
 from kernel.memory.choice import choice_weights, in_turn
 from kernel.memory.manner import inherit, left_over
 from kernel.memory.meaning import Question
-from kernel.memory.recall import answer, asked_for, is_so, known, named, spelled_out
+from kernel.memory.recall import answer, is_so, known, named
 from kernel.memory.reply import Answer, Reason
+from kernel.memory.wondering import asked_for, spelled_out
 from kernel.net.match import matches
 from kernel.net.node import Node, describe
 from kernel.selecting import Chosen, Selection

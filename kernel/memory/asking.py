@@ -31,12 +31,12 @@ class Asking:
     until_s: float
     chosen: Node | None = None
 
-    def take(self, described: Graphlet, net: Net) -> bool:
-        """Whether the description fits just one of the things; if so that is the answer."""
+    def take(self, described: Graphlet, net: Net) -> Node | None:
+        """The thing meant, if the description fits just one; that is the answer."""
         fitting = [n for n in self.things if _fits(described, n, net)]
         if len(fitting) == 1:
             self.chosen = fitting[0]
-        return self.chosen is not None
+        return self.chosen
 
 
 def equal_best(
@@ -61,7 +61,7 @@ def equal_best(
 
 def which(graphlet: Graphlet, things: Sequence[Node]) -> AskWhich:
     """The question as a reply."""
-    return AskWhich(graphlet, tuple(describe(node) for node in things))
+    return AskWhich(graphlet, tuple(describe(node, depth=REMEMBERED) for node in things))
 
 
 def _description(node: Node) -> set[str]:

@@ -9,14 +9,13 @@ from kernel.action.chain import Directive
 from kernel.memory.meaning import Question
 from kernel.memory.reply import Answer
 from kernel.memory.working import WorkingMemory
-from kernel.net.graphlet import Graphlet, Term
+from kernel.net.graphlet import Graphlet
 from kernel.net.match import Binding, matches
 from kernel.net.node import REMEMBERED, Node, describe
 
 # The object of an act needs no known place: a thing of that description may be assumed (mind.md, FIND).
 ASSUMING_ROLES: Final = frozenset(("obj",))
 SPEECH_VERBS: Final = frozenset(("say", "tell", "ask", "greet"))
-SEEKING_VERBS: Final = frozenset(("find", "look for", "search for"))
 THINGS: Final = frozenset(("obj", "user", "self"))
 
 
@@ -54,53 +53,6 @@ def _is_topic(node: Node, memory: WorkingMemory) -> bool:
         and not memory.is_part(node)
         and bool(node.lex or any(role in ("ako", "hq") for role, _ in node.into))
     )
-
-
-def is_thing(graphlet: Graphlet) -> bool:
-    """Whether a thing is described; else what is looked for is a quality, kind or place: "what color it is"."""
-    main = next((t for t in graphlet.terms if t.name == graphlet.main), None)
-    return main is None or main.kind in THINGS
-
-
-def values(
-    graphlet: Graphlet, memory: WorkingMemory, binding: Binding, threshold: float
-) -> Iterator[Binding]:
-    """Bindings of a wanted quality, kind or place to what is known to be so, the newest first."""
-    memory.refresh()
-    start = known(graphlet, memory.persons(graphlet, binding))
-    found: dict[Node, Binding] = {}
-    for match in matches(graphlet, memory.net, REMEMBERED, start, threshold):
-        if is_so(match) and match[graphlet.main].lex:
-            found.setdefault(match[graphlet.main], {**binding, **match})
-    for node in sorted(found, key=lambda n: -n.stamp):
-        yield found[node]
-
-
-def sought(graphlet: Graphlet, later: Sequence[Directive]) -> bool:
-    """Whether it is named only to be looked for next ("find the ball"): then that act follows the advice on it."""
-    for directive in later:
-        for term in directive.graphlet.terms if directive.graphlet else ():
-            if ("obj", graphlet.main) in term.links:
-                return directive.tag == "DO" and bool(term.lex & SEEKING_VERBS)
-    return False
-
-
-def spelled_out(graphlet: Graphlet, binding: Binding) -> Graphlet:
-    """The graphlet with what is known of the things it is about."""
-    terms = {term.name: term for term in graphlet.terms}
-    for name in sorted(graphlet.mentioned & binding.keys()):
-        if name.startswith("obj") and binding[name].kind in THINGS:
-            described = describe(binding[name])
-            names = {
-                t.name: f"{t.kind}-{1000 + 100 * len(terms) + at}" for at, t in enumerate(described)
-            }
-            for term in described.renamed({**names, described.main: name}):
-                if term.name not in terms and (
-                    term.name == name
-                    or any(role in ("ako", "own") and other == name for role, other in term.links)
-                ):
-                    terms[term.name] = term
-    return Graphlet(tuple(terms.values()), graphlet.main)
 
 
 def may_assume(graphlet: Graphlet, later: Sequence[Directive]) -> bool:
@@ -141,29 +93,29 @@ def named(graphlet: Graphlet, memory: WorkingMemory) -> list[Node]:
     ]
 
 
-def asked_for(question: Question, memory: WorkingMemory) -> tuple[Graphlet, Binding]:
-    """What a question wants found out, as FIND and CHK operators are about it, with the things it is about.
-
-    "What is it" wants its kind; "which block is heavy" wants the block.
-    """
-    about, wanted = question.about, question.wanted
-    binding = {}
-    for term in about.terms:
-        if term.kind == "obj" and term.name != wanted and (term.lex or term.ref == "the"):
-            said = [t for t in about.terms if ("ako", term.name) in t.links]
-            find = Graphlet((term, *said), term.name)
-            for match in referents(find, memory, {}, 0.0):
-                binding[term.name] = match[term.name]
-                break
-    if wanted == about.main and is_thing(about):
-        kind = Term("ako-999", links=(("ako", wanted),))
-        return Graphlet((kind, *about.terms), kind.name), binding
-    return Graphlet(about.terms, wanted or about.main), binding
-
-
 def is_so(binding: Binding) -> bool:
     """Whether the match rests on what is so, and not on what somebody has merely said."""
     return all(node.kind != "said" for node in binding.values())
+
+
+def holding(
+    about: Graphlet, memory: WorkingMemory, start: Binding | None = None, threshold: float = 0.5
+) -> Iterator[Binding]:
+    """Bindings under which it is so, as far as anybody remembers.
+
+    That a quality is of a kind ("color") may be known of the word alone: "red is a color".
+    """
+    net, bound = memory.net, start or {}
+    yield from filter(is_so, matches(about, net, REMEMBERED, bound, threshold))
+    kinds = [t for t in about.terms if t.links == (("ako", about.main),)]
+    if not kinds or not about.main.startswith("hq"):
+        return
+    rest = Graphlet(tuple(t for t in about.terms if t not in kinds), about.main)
+    for binding in filter(is_so, matches(rest, net, REMEMBERED, bound, threshold)):
+        called = [n for word in binding[about.main].lex for n in net.with_word(word)]
+        told = [kind for thing in called for kind in thing.modifiers("ako")]
+        if all(any(t.lex <= kind.words() and is_so({"": kind}) for kind in told) for t in kinds):
+            yield binding
 
 
 def answer(question: Question, memory: WorkingMemory) -> Answer:
@@ -183,7 +135,7 @@ def answer(question: Question, memory: WorkingMemory) -> Answer:
                 )
         return Answer(question, "unknown")
     found = []
-    for binding in filter(is_so, matches(about, memory.net, REMEMBERED)):
+    for binding in holding(about, memory):
         wanted = binding.get(question.wanted or about.main)
         if wanted is not None and wanted not in found:
             found.append(wanted)

@@ -221,8 +221,9 @@ def _names(graphlet: Graphlet) -> list[str]:
     return names
 
 
-def describe(node: Node, limit: int = 40) -> Graphlet:
-    """What is known of a node, as a graphlet: itself, what it points to, and what modifies any of these."""
+def describe(node: Node, limit: int = 40, depth: int = BAND_2) -> Graphlet:
+    """What is known of a node, as a graphlet: itself, what it points to, and what modifies any of these within the
+    depth."""
     terms: dict[Node, Term] = {}
     pending = [node]
     while pending and len(terms) < limit:
@@ -234,7 +235,7 @@ def describe(node: Node, limit: int = 40) -> Graphlet:
             here.name, frozenset(here.lex), here.literal, "", here.negated, here.belief, links
         )
         pending += [other for role, other in here.links if role != "cmd"]
-        pending += [p for role, p in here.into if role in MODIFIER_ROLES and p.level <= BAND_2]
+        pending += [p for role, p in here.into if role in MODIFIER_ROLES and p.level <= depth]
     shown = {n.name for n in terms}
     kept = tuple(t for t in terms.values() if all(other in shown for _, other in t.links))
     return Graphlet(kept, node.name)
