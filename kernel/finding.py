@@ -94,6 +94,7 @@ def _asked(
 ) -> Generator[None, None, Node | None]:
     """Ask which of them is meant and wait for the answer; None where none comes in time."""
     commons = frame.commons
+    things = tuple(sorted(things, key=lambda node: node.stamp))  # as they were mentioned
     question = which(graphlet, things)
     until_s = commons.tick.now_s + PATIENCE_S
     asking = Asking(frame.focus.number, question, things, until_s)

@@ -16,7 +16,13 @@ def choice(alist: AList) -> Choice:
     build = Build()
     with build.drawing(pattern=True):
         if (np := alist.find("np")) is not None:
-            return Choice(build.graphlet(build.thing(np)))
+            return Choice(build.graphlet(build.thing(_of_any_kind(np))))
         name = build.add("obj", ref="one")
         build.quality(name, alist.first("qual"))
         return Choice(build.graphlet(name))
+
+
+def _of_any_kind(np: AList) -> AList:
+    """ "One" is no kind here: "the red one" is red, whatever it is."""
+    parts = (AList("one") if p.name == "ako" and p.value == "one" else p for p in np)
+    return AList(np.name, tuple(parts), np.value)

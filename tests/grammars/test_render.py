@@ -263,7 +263,7 @@ a girl is a person; girls are usually female; widdershins means counterclockwise
 the bottle to the left of the green box is Advil; there is something very close; Mary is a girl; hey, stop that!
 """
 SENTENCES = [s.strip() for line in PAPER.strip().splitlines() for s in line.split(";")]
-EXAMPLES = [example for form in discover().values() for example in form.examples]
+EXAMPLES = [e for form in discover().values() if not form.expected for e in form.examples]
 
 
 @pytest.mark.parametrize("sentence", dict.fromkeys([*SENTENCES, *EXAMPLES]))
