@@ -30,6 +30,7 @@ from kernel.memory.meaning import (
 )
 from kernel.memory.notation import canonical
 from kernel.memory.reply import FactTaken, Greeted, Met, NotYet
+from kernel.memory.wondering import is_thing
 from kernel.net.graphlet import Graphlet
 from kernel.net.match import Binding
 from kernel.net.node import Node
@@ -73,7 +74,9 @@ def _quote(commons: Commons, focus: Focus, command: Command) -> None:
     known: set[str] = set()
     for directive in command.chain.directives():
         graphlet = directive.graphlet
-        if graphlet is None:
+        if graphlet is None or directive.tag not in ("FIND", "DO"):
+            continue  # what is to be checked is not so, and rules would see it
+        if directive.tag == "FIND" and not is_thing(graphlet):
             continue
         quoted = graphlet.renamed({n: f"said-{n.rpartition('-')[2]}" for n in graphlet.mentioned})
         before = memory.persons(quoted, binding)

@@ -45,7 +45,7 @@ class Frame:
 
     def chain(self, chain: Chain) -> Run:
         """Play after play; a failure goes back to the nearest FIND that has another binding."""
-        index = 0
+        index, failure = 0, self.focus.failure
         open_finds: list[tuple[int, Options]] = []
         while index < len(chain.plays):
             play = chain.plays[index]
@@ -65,6 +65,7 @@ class Frame:
                 verdict = yield from self.play(play)
                 self.desperate = self.desperate and not verdict.ok
             if verdict.ok:
+                self.focus.failure = failure  # what was tried in vain before is no cause any more
                 index += 1
                 continue
             if verdict is Verdict.PUNTED:

@@ -20,8 +20,9 @@ def described(text: str) -> Graphlet:
     return content
 
 
-RED = described("obj-1 -lex- brick\nako-2 -lex- block\n-ako-> obj-1\nhq-3 -lex- red\n-hq-> obj-1\nloc-4 -lex- left\n-loc-> obj-1")  # fmt: skip
-BLUE = described("ako-2 -lex- block\n-ako-> obj-1\nhq-3 -lex- blue\n-hq-> obj-1")
+BLOCK = "ako-2 -lex- block\n-ako-> obj-1\nhq-3 -lex- {}\n-hq-> obj-1"
+RED = described(BLOCK.format("red") + "\nloc-4 -lex- left\n-loc-> obj-1")
+BLUE = described(BLOCK.format("blue"))
 WANTED = described("ako-2 -lex- block\n-ako-> obj-1")
 QUESTION = AskWhich(WANTED, (RED, BLUE))
 
