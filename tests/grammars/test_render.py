@@ -280,7 +280,7 @@ def test_the_robots_voice_has_words_for_every_form(sentence: str) -> None:
 
 
 @settings(max_examples=25, deadline=None)
-@given(nets.commands)
+@given(st.one_of(nets.commands, nets.inquiries))
 def test_any_command(meaning: Meaning) -> None:
     same(render(meaning, "teacher"), "command", meaning)
 
@@ -290,6 +290,7 @@ def test_any_command(meaning: Meaning) -> None:
     st.one_of(
         *(nets.procedures, nets.arounds, nets.reactions),
         *(nets.prohibitions, nets.permissions, nets.trusts),
+        *(nets.findings, nets.failings),
     )
 )
 def test_any_operator(meaning: Teach) -> None:
