@@ -143,6 +143,8 @@ class Build(Things):
         """CHK for whether something is so; FIND for what something is like, of what kind it is or where."""
         if (whether := inquiry.find("whether")) is not None:
             return Directive("CHK", stated(self, whether.first("conds")))
+        if inquiry.has("nearby"):
+            return Directive("DO", self.graphlet(self.add("act", "look around")))
         for name, kind in WONDERS.items():
             if (asked := inquiry.find(name)) is not None:
                 thing = self.thing(asked.first("np"))

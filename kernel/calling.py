@@ -58,10 +58,10 @@ def call(commons: Commons, focus: Focus, name: str, act: Node) -> Run:
 
 def _served(commons: Commons, focus: Focus, act: Node, running: Act, ticket: int) -> Run:
     """Pass the function's bids on; fail it when the mind has struck its ticket."""
-    spoken = False
+    spoken, resource = False, ""
     while True:
         if ticket in commons.struck:
-            focus.failure = Failure(commons.struck.pop(ticket))
+            focus.failure = Failure(commons.struck.pop(ticket), detail=resource)
             return Verdict.FAILED
         try:
             bid: Bid | None = next(running)
@@ -76,7 +76,7 @@ def _served(commons: Commons, focus: Focus, act: Node, running: Act, ticket: int
         elif bid is not None and isinstance(bid.command, Sighting):
             sighted(commons, focus, act, bid.command)
         elif bid is not None:
-            ticket = bid.ticket
+            ticket, resource = bid.ticket, bid.resource
             commons.claims.append(Claim(focus.number, bid))
         yield
 

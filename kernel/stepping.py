@@ -147,7 +147,8 @@ class RunningStep:
         if advice.operator.trigger.tag == "NOTE" and self.focus.reaction is None:
             self.focus.reaction = advice.lesson
         verdict = yield from frame.chain(advice.operator.chain)
-        if verdict.ok or tag in ("POST", "NOTE", "CHK", "FIND"):
+        asked = self.directive.tag in ("CHK", "FIND", "ASK")  # what counts is what is known then
+        if verdict.ok or asked or tag in ("POST", "NOTE"):
             self.focus.failure = before
         self.advised = self.advised or verdict.ok or verdict is Verdict.PUNTED
         # A veto stands even where the robot fails at what it should do instead.

@@ -31,7 +31,9 @@ def _apart(option: Graphlet, reply: AskWhich) -> str:
     apart = [term for saying, term in _sayings(option).items() if saying not in shared]
     if not apart:
         return "the other one"
-    kept = _with_marks(option, apart)
+    others = [_sayings(other) for other in reply.options if other is not option]
+    alone = [t for saying, t in _sayings(option).items() if not any(saying in o for o in others)]
+    kept = _with_marks(option, alone[:1] or apart)
     one = Term(main.name, ref="one")
     return thing_in_words(main.name, (Graphlet((one, *kept), main.name),))
 

@@ -52,9 +52,10 @@ def spelled_out(graphlet: Graphlet, binding: Binding) -> Graphlet:
         thing = binding[name]
         if thing.kind not in THINGS:
             continue
-        ref = "" if thing.lex else "the"
-        terms[name] = Term(name, frozenset(thing.lex), ref=ref)
         kinds = [kind for kind in thing.modifiers("ako") if not kind.negated]
+        if thing.lex or kinds:
+            ref = "" if thing.lex else "the"
+            terms[name] = Term(name, frozenset(thing.lex), ref=ref)
         for at, kind in enumerate(kinds[:1]):
             said = f"ako-{1000 * (len(terms) + 1) + at}"
             terms[said] = Term(said, frozenset(kind.lex), links=(("ako", name),))

@@ -89,6 +89,63 @@ PROCEDURES = [
         "I will wait 1 second afterwards",
         id="an after",
     ),
+    pytest.param(
+        """trig: FIND[ obj-1
+               ako-2 -lex- ball
+                     -ako-> obj-1 ]
+           pref: 0.8
+           ---------------
+           DO[ act-3 -lex- turn
+               dir-4 -lex- left
+                     -dir-> act-3 ]""",
+        "to find a ball, you could turn left",
+        "to find a ball, I could turn left",
+        "I know how to find that",
+        id="how to find a thing",
+    ),
+    pytest.param(
+        """trig: CHK[ hq-1 -lex- heavy
+                    -hq-> obj-2
+               ako-3 -lex- block
+                     -ako-> obj-2 ]
+           pref: 1.0
+           ---------------
+           DO[ act-4 -lex- lift
+                     -obj-> obj-2 ]""",
+        "to check whether a block is heavy, lift it",
+        "to check whether a block is heavy, I will lift it",
+        "I know how to check that",
+        id="how to check something",
+    ),
+    pytest.param(
+        """trig: FIND[ ako-1 -ako-> obj-2 ]
+           pref: 1.0
+           ---------------
+           FIND[ hq-3 -hq-> obj-2
+                 ako-4 -lex- color
+                       -ako-> hq-3 ]""",
+        "to find out what something is, find out what color it is",
+        "to find out what something is, I will find out what color it is",
+        "I know how to find that",
+        id="how to find out what something is",
+    ),
+    pytest.param(
+        """trig: NOTE[ act-1 -lex- fail
+                     -agt-> obj-2
+                     -obj-> act-3
+               obj-2 -lex- you
+               act-3 -lex- grab
+                     -obj-> obj-4 ]
+           pref: 1.0
+           ---------------
+           DO[ act-5 -lex- say
+                     -obj-> txt-6
+               txt-6 -str- oops ]""",
+        'if you fail to grab something, say "oops"',
+        'when I fail to grab something, I will say "oops"',
+        "I will say that then",
+        id="what to do about failing",
+    ),
 ]
 
 PROHIBITIONS = [
