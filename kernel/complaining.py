@@ -41,6 +41,7 @@ def complain(
     step.selection.facts = (fail,)
     verdict = yield from DIRECTIVES["NOTE"](step)
     if not step.advised and step.desperate():
+        step.selection.within = tuple(step.followed)  # what failed is not tried again
         verdict = yield from DIRECTIVES["NOTE"](step)
     return verdict
 

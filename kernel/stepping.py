@@ -12,6 +12,7 @@ from kernel.calling import act_text, call
 from kernel.hypothesis import Hypothesis, suppose
 from kernel.memory.attention import Failure
 from kernel.memory.choice import choice_weights, in_turn
+from kernel.memory.lesson import Lesson
 from kernel.memory.manner import inherit, left_over
 from kernel.memory.meaning import Question
 from kernel.memory.recall import answer, is_so, known, named
@@ -32,6 +33,7 @@ class RunningStep:
         self.frame, self.directive = frame, directive
         self.commons, self.focus = frame.commons, frame.focus
         self.advised = False  # an operator was followed to a good end, or to a PUNT
+        self.followed: list[Lesson] = []
         self.selection = Selection(self.commons, self.focus, frame.within, frame.threshold)
         self.selection.desperate, self.selection.supposed = frame.desperate, frame.supposed
         graphlet = directive.graphlet
@@ -138,6 +140,7 @@ class RunningStep:
         if len(self.frame.within) >= self.commons.settings.depth:
             self.frame.explain("too_deep", self.node)
             return Verdict.FAILED
+        self.followed.append(advice.lesson)
         before = self.focus.failure
         tag = advice.operator.trigger.tag
         frame = self.frame.within_operator(advice.binding, advice.lesson)

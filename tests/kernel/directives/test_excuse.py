@@ -89,6 +89,13 @@ def test_a_complaint_that_fails_is_silent_and_the_reason_is_told(robot: Any, ste
     assert robot.replies[-1].act.words() == {"salute"}
 
 
+def test_a_complaint_that_fails_is_not_made_twice(robot: Any) -> None:
+    robot.teach(when_failing(SAY.format("dear me") + "; DO[ act-11 -lex- twizzle ]"))
+    robot.do(SALUTE)
+    assert robot.said == ["dear me"]
+    assert robot.reasons == ["no_way"]
+
+
 def test_what_was_refused_in_words_is_not_complained_about(robot: Any) -> None:
     robot.teach(SORRY)
     robot.teach(
