@@ -226,8 +226,8 @@ class App:
             waiting = await self._utterances.get()
             utterance = waiting.utterance
             try:
-                words = self._cycle.vocabulary
-                understanding = await self._parser.run(understand, utterance, words)
+                words, asked = self._cycle.vocabulary, self._cycle.mind.expecting
+                understanding = await self._parser.run(understand, utterance, words, asked)
             except Exception as error:  # one sentence that breaks the parser must not end hearing
                 understanding = self._cycle.puzzled(utterance, error)
             self._cycle.take(understanding, waiting.epoch, waiting.source)

@@ -60,6 +60,7 @@ class MindPart(Part, frozen=True, forbid_unknown_fields=True):
     preference_threshold: Fraction = 0.2
     sharpness: Annotated[float, msgspec.Meta(ge=0.0, le=100.0)] = 1.0
     fade_s: Annotated[float, msgspec.Meta(gt=0.0, le=3600.0)] = 30.0
+    depth: Annotated[int, msgspec.Meta(ge=1, le=40)] = 20
 
 
 class Paths(Part, frozen=True, forbid_unknown_fields=True):

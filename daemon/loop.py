@@ -114,7 +114,7 @@ class Cycle:
         """Take an utterance: stop words act before they are understood; what is not understood moves nothing."""
         epoch = self.begin(utterance, source)
         try:
-            understanding = understand(utterance, self.vocabulary)
+            understanding = understand(utterance, self.vocabulary, self._mind.expecting)
         except Exception as error:
             understanding = self.puzzled(utterance, error)
         self.take(understanding, epoch, source)

@@ -51,6 +51,7 @@ def make_mind(settings: MindPart, history: tuple[Change, ...]) -> Mind:
         least_preference=settings.preference_threshold,
         sharpness=settings.sharpness,
         fade_s=settings.fade_s,
+        depth=settings.depth,
     )
     return Mind(born(), settings.seed, numbers, history)
 

@@ -14,6 +14,7 @@ from kernel.action.trace import Record
 from kernel.memory.policy import Shift
 from kernel.memory.reply import (
     Answer,
+    AskWhich,
     FactTaken,
     Failed,
     Greeted,
@@ -94,6 +95,8 @@ def from_reply(reply: Reply, said: Said, now_s: float) -> Iterator[events.Event]
     """The events of one reply: an acknowledgement where something was taken, and always the reply itself."""
     if isinstance(reply, ACKNOWLEDGES):
         yield events.Acknowledged(t=now_s, text=said.shown)
+    if isinstance(reply, AskWhich):
+        yield events.Question(t=now_s, text=said.shown)
     yield events.Replied(
         t=now_s,
         kind=type(reply).__name__,

@@ -11,6 +11,7 @@ from grammars.parse import parse
 from grammars.render import render
 from grammars.vocabulary import Vocabulary
 from kernel.memory.meaning import Control, Feedback, Heard, Meaning, Utterance
+from kernel.memory.reply import AskWhich
 
 STOP_WORDS: Final = frozenset({"stop", "halt", "freeze"})
 BESIDE_STOP: Final = frozenset({"robot", "sayso", "please", "now", "hey"})
@@ -55,11 +56,16 @@ class Understanding:
     error: NotUnderstoodError | None = None
 
 
-def understand(utterance: Utterance, vocabulary: Vocabulary) -> Understanding:
-    """Parse it. Hearing has chosen among its alternatives before. May run in any thread."""
+def understand(
+    utterance: Utterance, vocabulary: Vocabulary, expecting: AskWhich | None = None
+) -> Understanding:
+    """Parse it. Hearing has chosen among its alternatives before. May run in any thread.
+
+    expecting: the robot's open question.
+    """
     try:
         with _one_at_a_time:
-            parsed = parse(utterance.text, vocabulary)
+            parsed = parse(utterance.text, vocabulary, expecting)
     except NotUnderstoodError as error:
         return Understanding(utterance, "not_understood", "", None, error)
     readback = render(parsed.meaning, "teacher")

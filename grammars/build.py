@@ -7,6 +7,7 @@ from functools import cache
 from typing import Final
 
 from grammars.alist import AList
+from grammars.clauses import stated
 from grammars.things import NoMeaningError, Things
 from grammars.vocabulary import lines
 from kernel.action.chain import Chain, Directive, Play
@@ -130,6 +131,29 @@ class Build(Things):
         """Node of an action; of any act at all where none is named."""
         return self.add("act") if action is None else self.action(action)
 
+    def _inquired(self, inquiry: AList) -> Directive:
+        """To find something out as a step: what is definite is looked up first, "something" is any thing."""
+        before, self.telling = self.telling, True
+        with self.drawing(pattern=False):
+            directive = self.inquiry(inquiry)
+        self.telling = before
+        return directive
+
+    def inquiry(self, inquiry: AList) -> Directive:
+        """CHK for whether something is so; FIND for what something is like, of what kind it is or where."""
+        if (whether := inquiry.find("whether")) is not None:
+            return Directive("CHK", stated(self, whether.first("conds")))
+        if inquiry.has("nearby"):
+            return Directive("DO", self.graphlet(self.add("act", "look around")))
+        for name, kind in WONDERS.items():
+            if (asked := inquiry.find(name)) is not None:
+                thing = self.thing(asked.first("np"))
+                wanted = self.add(kind, **{kind: thing})
+                if attribute := asked.slot("attribute"):
+                    self.add("ako", attribute, ako=wanted)
+                return Directive("FIND", self.graphlet(wanted))
+        raise NoMeaningError(str(inquiry))
+
     def chain(self, chain: AList) -> Chain:
         """Plays one after another; look-ups come before the play that needs them."""
         plays: list[Play] = []
@@ -139,12 +163,17 @@ class Build(Things):
                 with self.drawing(pattern=False):
                     act = self.action(action)
                     parts.append(Directive("DO", self.graphlet(act)))
+            if (inquiry := play.find("inquiry")) is not None:
+                parts.append(self._inquired(inquiry))
             plays += [Play((Directive("FIND", find),)) for find in self.finds]
             self.finds.clear()
             plays.append(Play(tuple(parts)))
         for inner in chain.all("chain"):
             plays += self.chain(inner).plays
         return Chain(tuple(plays))
+
+
+WONDERS: Final = {"what_like": "hq", "what_kind": "ako", "whereabout": "loc"}
 
 
 def count(cnt: AList) -> str:

@@ -2,9 +2,14 @@
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 from grammars.alist import AList
-from grammars.build import Build, NoMeaningError
+from grammars.things import NoMeaningError
 from kernel.net.graphlet import Graphlet
+
+if TYPE_CHECKING:
+    from grammars.build import Build
 
 VERB_SLOTS = ("does", "gerund", "state", "states", "verb", "verbs")
 
@@ -18,9 +23,14 @@ def flat(conds: AList) -> list[AList]:
 def condition(build: Build, conds: AList) -> Graphlet:
     """All conditions in one graphlet; main is the predicate of the first."""
     with build.drawing(pattern=True):
-        first, *more = flat(conds)
-        mains = [clause(build, first, topical=True), *(clause(build, part) for part in more)]
-        return build.graphlet(mains[0])
+        return stated(build, conds)
+
+
+def stated(build: Build, conds: AList) -> Graphlet:
+    """The same on the present board: what is definite is looked up where that is drawn no pattern."""
+    first, *more = flat(conds)
+    mains = [clause(build, first, topical=True), *(clause(build, part) for part in more)]
+    return build.graphlet(mains[0])
 
 
 def clause(build: Build, part: AList, subject: str = "", topical: bool = False) -> str:
@@ -39,6 +49,9 @@ def clause(build: Build, part: AList, subject: str = "", topical: bool = False) 
     if (ordered := part.find("ordered")) is not None:
         act = build.act_or_any(ordered.find("action"))
         return told(build, ordered.first("np"), act)
+    if (failing := part.find("failing")) is not None:
+        act = build.act_or_any(failing.find("action"))
+        return build.add("act", "fail", agt=build.oneself("you"), obj=act)
     objects = part.all("np", "base_np")
     if subject:
         agent = subject

@@ -60,7 +60,9 @@ def _slip(typed: str, meant: str) -> int:
 
 @cache
 def _examples() -> tuple[str, ...]:
-    return tuple(example for form in discover().values() for example in form.examples)
+    return tuple(
+        example for form in discover().values() if not form.expected for example in form.examples
+    )
 
 
 def nearest_sentence(text: str) -> str | None:

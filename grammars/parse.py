@@ -10,7 +10,7 @@ import importlib
 import json
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from functools import cache
+from functools import cache, partial
 from hashlib import sha256
 from importlib.resources import files
 from typing import Any, Final
@@ -28,6 +28,8 @@ from grammars.normalise import pieces
 from grammars.reading import BrokenOffError, Parsed, Reader
 from grammars.source import grammar_text
 from grammars.vocabulary import BORN, Vocabulary, lines, set_phrases
+from kernel.memory.meaning import Choice
+from kernel.memory.reply import AskWhich
 
 MOST_WORDS: Final = 60
 MOST_LETTERS: Final = 1000
@@ -156,7 +158,7 @@ def compile_grammar() -> dict[str, Any]:
     load: Any = importlib.import_module("lark.load_grammar").load_grammar  # slow, seldom needed
     text = grammar_text()
     compiled, _ = load(text, "toplevel.lark", [], False)
-    terminals, rules, _ = compiled.compile(["start"], "*")
+    terminals, rules, _ = compiled.compile(["start", "expected"], "*")
     return {
         "source": sha256(text.encode()).hexdigest(),
         "literal": {t.pattern.value: t.name for t in terminals if t.pattern.type == "str"},
@@ -233,13 +235,20 @@ def closed_words() -> frozenset[str]:
     return frozenset(grammar().literal)
 
 
-def parse(text: str, vocabulary: Vocabulary = BORN, expecting: object = None) -> Parsed:
+def fits(choice: Choice, question: AskWhich) -> bool:
+    """Whether an answer uses no other words than describe what the question asks about."""
+    offered = {word for option in question.options for word in option.words()}
+    said = choice.described.words()
+    return bool(said) and said <= offered
+
+
+def parse(text: str, vocabulary: Vocabulary = BORN, expecting: AskWhich | None = None) -> Parsed:
     """What a sentence means.
 
     Args:
         text: one sentence, typed or recognised.
         vocabulary: the words known.
-        expecting: the robot's open question, if any. No question of this version narrows what may be said.
+        expecting: the robot's open question, if any: its answers are understood before anything else, and only now.
 
     Raises:
         NotUnderstoodError: it means nothing in this language, or is no text.
@@ -249,7 +258,13 @@ def parse(text: str, vocabulary: Vocabulary = BORN, expecting: object = None) ->
     found = pieces(text)
     if not found or len(found) > MOST_WORDS or _is_chatter(tuple(p.text for p in found)):
         raise NotUnderstoodError(text)
-    reader = Reader(text, Lexer(vocabulary, grammar().literal), grammar().forest, grammar().cost)
+    lexer = Lexer(vocabulary, grammar().literal)
+    if expecting is not None:
+        answers = partial(grammar().forest, symbol="expected")
+        for reading in Reader(text, lexer, answers, grammar().cost).read(found):
+            if isinstance(reading.meaning, Choice) and fits(reading.meaning, expecting):
+                return reading
+    reader = Reader(text, lexer, grammar().forest, grammar().cost)
     strange = [at for at, piece in enumerate(found) if reader.lexer.strange(piece)]
     for reading in reader.readings(found, strange):
         return reading

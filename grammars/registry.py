@@ -27,22 +27,26 @@ class Form:
         build: association list of the rule to meaning.
         kind: of the sentences (language.md, Kinds).
         examples: sentences of this form; each is a test.
+        expected: it is understood only as the answer to a question of the robot's.
     """
 
     name: str
     build: Builder
     kind: str
     examples: tuple[str, ...]
+    expected: bool = False
 
 
 FORMS: dict[str, Form] = {}
 
 
-def sentence_form(name: str, kind: str, examples: tuple[str, ...]) -> Callable[[Builder], Builder]:
+def sentence_form(
+    name: str, kind: str, examples: tuple[str, ...], expected: bool = False
+) -> Callable[[Builder], Builder]:
     """Register the decorated builder as the form of that name."""
 
     def register(build: Builder) -> Builder:
-        FORMS[name] = Form(name, build, kind, examples)
+        FORMS[name] = Form(name, build, kind, examples, expected)
         return build
 
     return register

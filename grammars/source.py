@@ -41,6 +41,8 @@ def grammar_text() -> str:
     folder = files("grammars")
     parts = [folder.joinpath(name).read_text("utf8") for name in ("toplevel.lark", "phrase.lark")]
     parts += [folder.joinpath("forms", f"{name}.lark").read_text("utf8") for name in names]
-    parts.append(f"_form: {' | '.join(names)}")
+    for symbol, expected in (("_form", False), ("_answer", True)):
+        of_these = [name for name in names if discover()[name].expected is expected]
+        parts.append(f"{symbol}: {' | '.join(of_these)}")
     parts.append("%declare " + " ".join((*CATEGORIES, *sorted(set_categories()))))
     return "\n".join(parts)

@@ -15,6 +15,7 @@ from kernel.commons import Commons
 from kernel.memory.attention import Focus
 from kernel.memory.lesson import Content, Lesson, LessonKind
 from kernel.memory.meaning import (
+    Choice,
     Command,
     Control,
     Fact,
@@ -29,9 +30,11 @@ from kernel.memory.meaning import (
 )
 from kernel.memory.notation import canonical
 from kernel.memory.reply import FactTaken, Greeted, Met, NotYet
+from kernel.memory.wondering import is_thing
 from kernel.net.graphlet import Graphlet
 from kernel.net.match import Binding
 from kernel.net.node import Node
+from kernel.reporting import commanded
 from kernel.running import Frame
 from kernel.stepping import RunningStep
 
@@ -71,7 +74,9 @@ def _quote(commons: Commons, focus: Focus, command: Command) -> None:
     known: set[str] = set()
     for directive in command.chain.directives():
         graphlet = directive.graphlet
-        if graphlet is None:
+        if graphlet is None or directive.tag not in ("FIND", "DO"):
+            continue  # what is to be checked is not so, and rules would see it
+        if directive.tag == "FIND" and not is_thing(graphlet):
             continue
         quoted = graphlet.renamed({n: f"said-{n.rpartition('-')[2]}" for n in graphlet.mentioned})
         before = memory.persons(quoted, binding)
@@ -108,7 +113,7 @@ def _content(mind: Listener, commons: Commons, focus: Focus, heard: Heard) -> Ru
     frame = Frame(commons, focus, {})
     match heard.meaning:
         case Command(chain):
-            return (yield from frame.chain(chain))
+            return (yield from commanded(frame, chain))
         case Fact(fact, finds):
             return (yield from _fact(mind, commons, focus, fact, finds))
         case Teach(kind, content):
@@ -119,6 +124,8 @@ def _content(mind: Listener, commons: Commons, focus: Focus, heard: Heard) -> Ru
                 commons.replies.append(NotYet(f"questions about {question.topic}"))
                 return Verdict.SUCCEEDED
             return (yield from frame.directive(Directive("ASK")))
+        case Choice(described):
+            _choose(commons, focus, described)
         case Identity(name):
             mind.speaker = name
             commons.memory.person_speaking(name)
@@ -137,6 +144,19 @@ def _content(mind: Listener, commons: Commons, focus: Focus, heard: Heard) -> Ru
     return Verdict.SUCCEEDED
 
 
+def _choose(commons: Commons, focus: Focus, described: Graphlet) -> None:
+    """The person said which one is meant; where that is still not clear, the question is put again."""
+    asking = commons.asking
+    if asking is None:
+        return
+    if (chosen := asking.take(described, commons.memory.net)) is not None:
+        commons.memory.net.touch(chosen)
+        focus.nodes[chosen] = None
+        commons.record("answered", focus, text=" ".join(sorted(described.words())))
+    else:
+        commons.replies.append(asking.question)
+
+
 def _fact(
     mind: Listener, commons: Commons, focus: Focus, fact: Graphlet, finds: tuple[Graphlet, ...]
 ) -> Run:
@@ -144,12 +164,12 @@ def _fact(
     memory = commons.memory
     frame = Frame(commons, focus, {})
     for find in finds:
-        options = frame.options(Directive("FIND", find), ())
-        frame.binding = next(options, {}) or frame.instantiate(find)
+        frame.binding = frame.recalled(find) or frame.instantiate(find)
         memory.remember_description(
             [frame.binding[t.name] for t in find.terms if t.name in frame.binding]
         )
     frame.binding, carrying = memory.tell(fact, frame.binding)
+    focus.nodes |= dict.fromkeys(frame.binding.values())
     commons.record("fact", focus, text=" ".join(sorted(fact.words())))
     if _lasts(fact, finds):
         terms = {t.name: t for g in (*finds, fact) for t in g.terms}

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
+import math
 from typing import Final
 
 from kernel.action.arbiter import Claim
-from kernel.action.call import GROUNDINGS, Act, Bid, Call, Speak
+from kernel.action.call import GROUNDINGS, Act, Bid, Call, Sighting, Speak
 from kernel.action.step import Run
 from kernel.action.verdict import Verdict
 from kernel.commons import Commons
@@ -17,7 +18,9 @@ from kernel.errors import (
     NotGroundedError,
 )
 from kernel.memory.attention import Failure, Focus
-from kernel.memory.reply import Reason
+from kernel.memory.looking import seen
+from kernel.memory.meaning import Command
+from kernel.memory.reply import Reason, Saw
 from kernel.net.node import MODIFIER_ROLES, Node
 
 _MOTION_REASONS: Final[dict[str, Reason]] = {
@@ -40,9 +43,10 @@ def call(commons: Commons, focus: Focus, name: str, act: Node) -> Run:
     told = {"function": name, "text": act_text(act), "words": act_words(act), "ticket": ticket}
     commons.record("action_started", focus, **told)
     verdict = Verdict.STOPPED
-    running = grounding.code(Call(act, commons.memory.depth, ticket), commons.tick)
+    made = Call(act, commons.memory.depth, ticket, commons.next_number)
+    running = grounding.code(made, commons.tick)
     try:
-        verdict = yield from _served(commons, focus, running, name, ticket)
+        verdict = yield from _served(commons, focus, act, running, name, ticket)
     except KernelError as error:
         focus.failure = focus.failure or _explained(error, act)
         verdict = Verdict.FAILED
@@ -52,12 +56,12 @@ def call(commons: Commons, focus: Focus, name: str, act: Node) -> Run:
     return verdict
 
 
-def _served(commons: Commons, focus: Focus, running: Act, name: str, ticket: int) -> Run:
+def _served(commons: Commons, focus: Focus, act: Node, running: Act, name: str, ticket: int) -> Run:
     """Pass the function's bids on; fail it when the mind has struck its ticket."""
-    spoken = False
+    spoken, resource = False, ""
     while True:
         if ticket in commons.struck:
-            focus.failure = Failure(commons.struck.pop(ticket))
+            focus.failure = Failure(commons.struck.pop(ticket), detail=resource)
             return Verdict.FAILED
         try:
             bid: Bid | None = next(running)
@@ -69,7 +73,10 @@ def _served(commons: Commons, focus: Focus, running: Act, name: str, ticket: int
                 commons.speech.append(bid)
                 focus.said += 1
                 spoken = True
+        elif bid is not None and isinstance(bid.command, Sighting):
+            sighted(commons, focus, act, bid.command)
         elif bid is not None:
+            ticket, resource = bid.ticket, bid.resource
             commons.claims.append(Claim(focus.number, bid))
         focus.waits.add(name)
         yield
@@ -102,3 +109,17 @@ def act_words(act: Node) -> tuple[str, ...]:
 def act_text(act: Node | None) -> str:
     """The action in a few words, for traces."""
     return " ".join(act_words(act)) if act is not None else ""
+
+
+def sighted(commons: Commons, focus: Focus, act: Node, sighting: Sighting) -> None:
+    """What a look found is in mind as long as the focus is; it is told where looking was the command itself."""
+    for fact in seen(sighting):
+        bound = commons.memory.instantiate(fact, {})
+        focus.nodes |= dict.fromkeys(bound.values())
+    meaning = focus.heard.meaning if focus.heard else None
+    if isinstance(meaning, Command) and any(
+        directive.tag == "DO" and directive.graphlet and directive.graphlet.words() & act.words()
+        for directive in meaning.chain.directives()
+    ):
+        bearing_deg = math.degrees(sighting.bearing_rad)
+        commons.replies.append(Saw(sighting.distance_m, bearing_deg, sighting.swept))

@@ -4,11 +4,13 @@ from __future__ import annotations
 
 import random
 from dataclasses import dataclass, field
+from typing import Final
 
 from kernel.action.arbiter import Claim
 from kernel.action.call import Bid, Tick
 from kernel.action.trace import Record, What
-from kernel.memory.attention import Failure, Focus
+from kernel.memory.asking import Asking
+from kernel.memory.attention import Attention, Failure, Focus
 from kernel.memory.change import Change
 from kernel.memory.lesson import Lesson, Operator, Rule
 from kernel.memory.operators import Operators
@@ -18,15 +20,20 @@ from kernel.memory.settings import Settings
 from kernel.memory.working import WorkingMemory
 from kernel.net.node import Node
 
+STEPS_A_TICK: Final = 1000  # mind.md: then a tick yields and logs
+
 
 @dataclass(slots=True)
 class Commons:
     """Memory, policy, the present, and what this tick brings forth.
 
     Attributes:
+        attention: all foci.
+        asking: which thing is meant: the question that is open.
         policy: what is in force of all that was learned; facts: the node of each stored fact in force, by lesson.
         pending: changes the store has not answered for: the focus each came from, by key.
         struck: tickets that must fail at their next turn, and why.
+        steps: directives carried out in this tick.
     """
 
     memory: WorkingMemory
@@ -39,17 +46,25 @@ class Commons:
     trace: list[Record] = field(default_factory=list)
     replies: list[Reply] = field(default_factory=list)
     persist: list[tuple[int, Change]] = field(default_factory=list)
+    attention: Attention = field(default_factory=Attention)
+    asking: Asking | None = None
     shift: Shift = field(default_factory=Shift)
     pending: dict[int, Focus] = field(default_factory=dict)
     policy: Policy = field(default_factory=Policy)
     facts: dict[int, Node] = field(default_factory=dict)
     struck: dict[int, Reason] = field(default_factory=dict)
     tickets: int = 0
+    steps: int = 0
 
     def next_number(self) -> int:
         """A fresh number for a ticket or a pending lesson."""
         self.tickets += 1
         return self.tickets
+
+    @property
+    def out_of_breath(self) -> bool:
+        """So much was done in this tick that the rest has to wait for the next."""
+        return self.steps >= STEPS_A_TICK
 
     def record(self, what: What, focus: Focus | None, **data: object) -> None:
         """Leave a trace record."""

@@ -18,18 +18,19 @@ from kernel.action.step import Run
 from kernel.action.verdict import Verdict
 from kernel.attending import attend, notice
 from kernel.commons import Commons
+from kernel.complaining import TELLING_FAILURES, complain, explanation, failed_act
 from kernel.memory.attention import ROOM, Attention, Failure, Focus
 from kernel.memory.change import Change
 from kernel.memory.exchange import Inputs, Outputs
 from kernel.memory.lesson import Lesson, Operator
-from kernel.memory.meaning import Heard
+from kernel.memory.meaning import Command, Control, Heard, Revision
 from kernel.memory.operators import Operators
 from kernel.memory.policy import Shift
-from kernel.memory.reply import Failed, Halted, Refused
+from kernel.memory.reply import AskWhich, Failed, Halted
 from kernel.memory.settings import Settings
 from kernel.memory.working import WorkingMemory
 from kernel.net.graphlet import Sketch
-from kernel.net.node import Node, describe
+from kernel.net.node import Node
 
 PARTS: Final = ("gripper", "lift", "fork", "wheel", "battery", "finger", "arm")
 TAKEOVERS: Final = 3  # the same reaction may pre-empt the same focus so often in TAKEOVER_S
@@ -61,9 +62,12 @@ class Mind:
         settings = settings or Settings()
         self._attention = Attention(settings.fade_s)
         memory = WorkingMemory(self._in_attention, PARTS)
-        self._commons = Commons(memory, Operators(), random.Random(seed), settings)
+        self._commons = Commons(
+            memory, Operators(), random.Random(seed), settings, attention=self._attention
+        )
         self._senses = [make() for _, make in sorted(SENSES.items())]
         self._waiting_since: dict[int, float] = {}
+        self._waking: list[Focus] = []
         self.epoch = 0
         self.speaker = ""
         for lesson in (*innate(), *lessons):
@@ -86,6 +90,16 @@ class Mind:
         """For looking, not for touching."""
         return self._commons.memory
 
+    @property
+    def expecting(self) -> AskWhich | None:
+        """The question that is open, if there is one."""
+        return self._commons.asking.question if self._commons.asking else None
+
+    def _occupied(self, focus: Focus) -> bool:
+        """It does more than wait for a person's answer."""
+        asking = self._commons.asking
+        return asking is None or asking.focus != focus.number
+
     def _in_attention(self) -> list[Node]:
         return [node for focus in self._attention for node in focus.nodes]
 
@@ -94,6 +108,7 @@ class Mind:
         commons, now_s = self._commons, inputs.now_s
         commons.tick.now_s, commons.tick.body = now_s, inputs.body
         commons.tick.spoken = inputs.spoken
+        commons.steps = 0
         for key, change in inputs.persisted:
             commons.kept(key, change)
         for key, why in inputs.persist_failed:
@@ -115,7 +130,7 @@ class Mind:
             shift=commons.shift,
             trace=tuple(commons.trace),
             stop_epoch=self.epoch,
-            busy=bool(self._attention.active()),
+            busy=any(map(self._occupied, self._attention.active())),
         )
         for produced in (commons.speech, commons.replies, commons.persist, commons.trace):
             produced.clear()
@@ -155,6 +170,8 @@ class Mind:
             self._begin(notice, None, (), fact)
 
     def _hear(self, heard: Heard) -> None:
+        if isinstance(heard.meaning, Command | Revision | Control):
+            self._drop_question()
         if len(self._attention.active()) >= ROOM:
             self._commons.replies.append(Failed(None, "no_room"))
             self._commons.record(
@@ -163,19 +180,29 @@ class Mind:
             return
         self._begin(attend, heard)
 
-    def _begin(self, how: Callable[..., Run], heard: Heard | None, *args: object) -> None:
+    def _drop_question(self) -> None:
+        """Another command closes the question, and what waits for its answer ends."""
+        asking = self._commons.asking
+        for focus in self._attention.active():
+            if asking is not None and focus.number == asking.focus:
+                self._close(focus, Verdict.STOPPED)
+        self._commons.asking = None
+
+    def _begin(self, how: Callable[..., Run], heard: Heard | None, *args: object) -> Focus:
         if self._attention.crowded and (gone := self._attention.evict()) is not None:
             self._commons.memory.forget(gone.nodes)
         focus = self._attention.post(heard)
         focus.run = how(self, self._commons, focus, *args)
         self._commons.record("focus", focus, text=focus.words or "noticed")
+        return focus
 
     # -- thinking --------------------------------------------------------------------------
 
     def _think(self) -> None:
         """Resume every focus once; newest first, so that what they say about each other is in order."""
         self._commons.claims.clear()
-        for focus in self._attention.active():
+        self._waking = self._attention.active()
+        for focus in self._waking:
             if focus.run is None:
                 continue
             focus.waits.clear()
@@ -193,18 +220,19 @@ class Mind:
         focus.run, focus.verdict = None, verdict
         focus.ended_s = self._commons.tick.now_s
         self._commons.record("verdict", focus, verdict=verdict.value, text=focus.words)
-        if verdict is Verdict.FAILED:
+        if verdict in (Verdict.FAILED, Verdict.UNKNOWN):
             self._explain(focus)
 
     def _explain(self, focus: Focus) -> None:
+        """Note the failure, so that advice on failures applies: born advice is to tell it. A failing complaint is
+        silent, and so is a failure that the robot has spoken about already."""
         failure = focus.failure or Failure("no_way")
-        if -1 < failure.said_before < focus.said:
+        if focus.excuse is not None or -1 < failure.said_before < focus.said:
             return
-        act = describe(failure.act) if failure.act is not None else None
-        if failure.reason == "prohibited" and failure.by is not None and act is not None:
-            self._commons.replies.append(Refused(act, failure.by, failure.because))
-        else:
-            self._commons.replies.append(Failed(act, failure.reason, failure.detail))
+        excuse = explanation(failure)
+        complaint = self._begin(complain, None, failure, failed_act(focus))
+        complaint.excuse = excuse
+        self._waking.append(complaint)
 
     def _fade(self, now_s: float) -> None:
         faded = self._attention.fade(now_s)
@@ -250,8 +278,9 @@ class Mind:
 
 
 def innate() -> list[Lesson]:
-    """The operator DO[verb] -> FCN[name] of every grounding function; numbered below zero, without words."""
-    lessons: list[Lesson] = []
+    """The operator DO[verb] -> FCN[name] of every grounding function, and that failures are told; numbered below zero,
+    without words."""
+    lessons: list[Lesson] = [Lesson(-1_000_000, "reaction", TELLING_FAILURES)]
     for grounding in sorted(GROUNDINGS.values(), key=lambda g: g.name):
         for verb in grounding.verbs:
             sketch = Sketch()

@@ -2,29 +2,38 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Generator
 
 from kernel.action.chain import Chain, Directive, Play
 from kernel.action.step import DIRECTIVES, Run
 from kernel.action.verdict import Verdict
 from kernel.commons import Commons
+from kernel.finding import Options, bindings, following, not_found, recalled
 from kernel.memory.attention import Failure, Focus
 from kernel.memory.lesson import Lesson, Operator
-from kernel.memory.recall import may_assume, missing, referents
 from kernel.memory.reply import Reason
 from kernel.net.graphlet import Graphlet
 from kernel.net.match import Binding
-from kernel.net.node import MODIFIER_ROLES, Node
+from kernel.net.node import MODIFIER_ROLES, REMEMBERED, Node
 from kernel.stepping import RunningStep
 
 
 class Frame:
-    """One chain being run for a focus: its binding, and the operators that led to it."""
+    """One chain being run for a focus: its binding, and the operators that led to it.
+
+    Attributes:
+        manners: adverbs its steps inherit.
+        supposed: nodes of conditions entertained above; prohibitions see them too.
+        desperate: nothing that is well believed applied above; ends with the first success.
+    """
 
     def __init__(
         self, commons: Commons, focus: Focus, binding: Binding, within: tuple[Lesson, ...] = ()
     ) -> None:
         self.commons, self.focus, self.binding, self.within = commons, focus, binding, within
+        self.manners: tuple[Node, ...] = ()
+        self.supposed: frozenset[Node] = frozenset()
+        self.desperate = False
 
     @property
     def ordered(self) -> bool:
@@ -36,16 +45,17 @@ class Frame:
 
     def chain(self, chain: Chain) -> Run:
         """Play after play; a failure goes back to the nearest FIND that has another binding."""
-        index = 0
-        open_finds: list[tuple[int, Iterator[Binding]]] = []
+        index, failure = 0, self.focus.failure
+        open_finds: list[tuple[int, Options]] = []
         while index < len(chain.plays):
             play = chain.plays[index]
             if (find := _lone_find(play)) is not None:
                 later = [d for p in chain.plays[index + 1 :] for d in Chain((p,)).directives()]
-                options = self.options(find, later)
-                binding = next(options, None)
+                options = bindings(self, find, later)
+                yield from self.breathe()
+                binding = yield from following(options)
                 if binding is None:
-                    self.explain("nothing_found", None, missing(find))
+                    not_found(self, find)
                     verdict = Verdict.FAILED
                 else:
                     open_finds.append((index, options))
@@ -53,14 +63,16 @@ class Frame:
                     verdict = Verdict.SUCCEEDED
             else:
                 verdict = yield from self.play(play)
+                self.desperate = self.desperate and not verdict.ok
             if verdict.ok:
+                self.focus.failure = failure  # what was tried in vain before is no cause any more
                 index += 1
                 continue
             if verdict is Verdict.PUNTED:
                 return verdict
             while open_finds:
                 index, options = open_finds[-1]
-                binding = next(options, None)
+                binding = yield from following(options)
                 if binding is not None:
                     self.binding = binding
                     index += 1
@@ -108,6 +120,7 @@ class Frame:
         if code is None:
             self.explain("no_way", None, directive.tag)
             return Verdict.FAILED
+        yield from self.breathe()
         told = {"tag": directive.tag, "text": directive_text(directive), "depth": len(self.within)}
         self.commons.record("directive", self.focus, **told)
         verdict = Verdict.STOPPED
@@ -120,25 +133,32 @@ class Frame:
             self.commons.record("directive_ended", self.focus, verdict=verdict.value, **told)
         return verdict
 
-    def options(self, find: Directive, later: Sequence[Directive]) -> Iterator[Binding]:
-        """Bindings for a FIND, best first; something new only where nothing is known and it may be assumed."""
-        graphlet = find.graphlet
-        if graphlet is None or graphlet.main in self.binding:
-            yield self.binding
-            return
-        memory = self.commons.memory
-        found = False
-        for binding in referents(graphlet, memory, self.binding, self.commons.settings.threshold):
-            found = True
-            self.mention(binding[graphlet.main])
-            yield binding
-        if not found and may_assume(graphlet, later):
-            yield self.instantiate(graphlet)
+    def recalled(self, graphlet: Graphlet) -> Binding | None:
+        """See kernel.finding."""
+        return recalled(self, graphlet)
+
+    def breathe(self) -> Generator[None, None, None]:
+        """Count a step; after too many in one tick, wait for the next."""
+        if self.commons.out_of_breath:
+            self.commons.record("yielded", self.focus, steps=self.commons.steps)
+        while self.commons.out_of_breath:
+            yield
+        self.commons.steps += 1
+
+    @property
+    def threshold(self) -> float:
+        """Belief below which nothing counts here."""
+        settings = self.commons.settings
+        return settings.desperate_threshold if self.desperate else settings.threshold
 
     def mention(self, node: Node) -> None:
         """The node is in mind for as long as this focus, with what describes it."""
         self.commons.memory.net.touch(node)
-        described = [other for role, other in node.into if role in MODIFIER_ROLES]
+        described = [
+            other
+            for role, other in node.into
+            if role in MODIFIER_ROLES and other.level <= REMEMBERED
+        ]
         self.focus.nodes |= dict.fromkeys((node, *described))
         self.commons.memory.changed()
 
@@ -151,10 +171,12 @@ class Frame:
                 self.focus.nodes[node] = None
         return bound
 
-    def explain(self, reason: Reason, act: Node | None, detail: str = "") -> None:
+    def explain(
+        self, reason: Reason, act: Node | None, detail: str = "", about: tuple[Graphlet, ...] = ()
+    ) -> None:
         """Note why the focus is failing; the first cause found stays."""
         if self.focus.failure is None:
-            self.focus.failure = Failure(reason, act, detail)
+            self.focus.failure = Failure(reason, act, detail, about=about)
 
     def within_operator(self, binding: Binding, lesson: Lesson) -> Frame:
         """A frame for an operator's chain, one level deeper."""

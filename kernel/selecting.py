@@ -4,14 +4,19 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
+from itertools import chain
+from typing import Final
 
 from kernel.commons import Commons
 from kernel.memory.attention import Focus
 from kernel.memory.lesson import Lesson, Operator
 from kernel.memory.recall import known
+from kernel.memory.wondering import SEEKING_VERBS
 from kernel.net.graphlet import Graphlet
 from kernel.net.match import Binding, holds, matches
 from kernel.net.node import Node
+
+ALWAYS_CONSIDERED: Final = ("ANTE", "POST", "ALLOW")
 
 
 @dataclass(frozen=True, slots=True)
@@ -32,6 +37,8 @@ class Selection:
         within: operators being carried out already; their advice does not apply to the carrying out of itself.
         node: the directive's main node; facts: the nodes noted, for NOTE.
         threshold: belief below which a match does not count.
+        supposed: nodes of the condition that is entertained (kernel.hypothesis): triggers see them, nothing else does.
+        desperate: what is hardly liked is considered too.
         ruled_out: the only operators that apply are being run already.
     """
 
@@ -41,6 +48,8 @@ class Selection:
     threshold: float
     node: Node | None = None
     facts: tuple[Node, ...] = ()
+    supposed: frozenset[Node] = frozenset()
+    desperate: bool = False
     ruled_out: bool = False
 
     def applicable(self, tag: str) -> Iterator[Chosen]:
@@ -54,15 +63,15 @@ class Selection:
         else:
             return
         self.ruled_out = False
+        if tag == "DO":
+            lessons = chain(lessons, self._searching())
         for lesson in lessons:
             operator = lesson.content
             if not isinstance(operator, Operator) or operator.trigger.graphlet is None:
                 continue
             preference = self.commons.policy.strength(lesson)
-            if preference < self.commons.settings.least_preference and tag in (
-                "NOTE",
-                "DO",
-            ):
+            liked = preference >= self.commons.settings.least_preference
+            if not (liked or self.desperate or tag in ALWAYS_CONSIDERED):
                 continue
             choice = self._match(lesson, operator, self._threshold_for(operator))
             if choice is None:
@@ -71,6 +80,16 @@ class Selection:
                 self.ruled_out = self.ruled_out or tag == "DO"
                 continue
             yield choice
+
+    def _sought(self) -> Node | None:
+        """What a seeking act is after: the ball of "find the ball"."""
+        seeking = self.node is not None and self.node.words() & SEEKING_VERBS
+        return next(self.node.to("obj"), None) if self.node and seeking else None
+
+    def _searching(self) -> Iterator[Lesson]:
+        """How a thing is found is advice for the act of finding it, too."""
+        if (thing := self._sought()) is not None:
+            yield from self.commons.operators.for_node("FIND", thing)
 
     def _threshold_for(self, operator: Operator) -> float:
         """A prohibition counts weak premises, a permission only strong ones (mind.md)."""
@@ -87,9 +106,11 @@ class Selection:
         if trigger is None:
             return None
         start: Binding = {}
-        if operator.trigger.tag != "NOTE" and self.node is not None:
+        if operator.trigger.tag == "FIND" and (sought := self._sought()) is not None:
+            start = {trigger.main: sought}
+        elif operator.trigger.tag != "NOTE" and self.node is not None:
             start = {trigger.main: self.node}
-        for binding in matches(trigger, net, depth, start, threshold):
+        for binding in matches(trigger, net, depth, start, threshold, self.supposed):
             if operator.trigger.tag == "NOTE" and not self._takes_part(binding):
                 continue
             enabled = self._enabled(operator.enablement, binding, threshold)

@@ -3,26 +3,28 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING, Final
+from typing import TYPE_CHECKING
 
 from kernel.action.chain import Directive
 from kernel.action.step import Advice, Run, StepReason
 from kernel.action.verdict import Verdict
 from kernel.calling import act_text, call
+from kernel.hypothesis import Hypothesis, suppose
 from kernel.memory.attention import Failure
 from kernel.memory.change import Change
 from kernel.memory.choice import choice_weights, in_turn
+from kernel.memory.lesson import Lesson
+from kernel.memory.manner import inherit, left_over
 from kernel.memory.meaning import Question
 from kernel.memory.recall import answer, is_so, known, named
-from kernel.memory.reply import Reason
+from kernel.memory.reply import Answer, Reason
+from kernel.memory.wondering import asked_for, spelled_out
 from kernel.net.match import matches
 from kernel.net.node import Node, describe
 from kernel.selecting import Chosen, Selection
 
 if TYPE_CHECKING:
     from kernel.running import Frame
-
-DEEPEST: Final = 20
 
 
 class RunningStep:
@@ -31,9 +33,10 @@ class RunningStep:
     def __init__(self, frame: Frame, directive: Directive) -> None:
         self.frame, self.directive = frame, directive
         self.commons, self.focus = frame.commons, frame.focus
-        self.selection = Selection(
-            self.commons, self.focus, frame.within, self.commons.settings.threshold
-        )
+        self.advised = False  # an operator was followed to a good end, or to a PUNT
+        self.followed: list[Lesson] = []
+        self.selection = Selection(self.commons, self.focus, frame.within, frame.threshold)
+        self.selection.desperate, self.selection.supposed = frame.desperate, frame.supposed
         graphlet = directive.graphlet
         if graphlet is None or directive.tag in ("CHK", "FIND"):
             return
@@ -46,6 +49,9 @@ class RunningStep:
         else:
             frame.binding = frame.instantiate(graphlet)
         self.selection.node = frame.binding[graphlet.main]
+        if directive.tag == "DO":
+            inherited = inherit(memory.net, self.selection.node, frame.manners)
+            self.focus.nodes |= dict.fromkeys(inherited)
         if directive.tag == "DO" and self.focus.speech_act is not None and frame.ordered:
             memory.net.link(self.focus.speech_act, "cmd", self.selection.node)
         memory.changed()
@@ -58,7 +64,28 @@ class RunningStep:
     # -- operators -------------------------------------------------------------------------
 
     def operators(self, tag: str) -> Iterator[Chosen]:
-        """Applicable operators: NOTE and DO in turn by weight, ANTE and POST all, prohibitions first."""
+        """Applicable operators: ANTE and POST all, prohibitions first; the others in turn by weight.
+
+        For CHK and FIND what is to be found out is entertained as long as they are asked for.
+        """
+        entertained = self._entertained() if tag in ("CHK", "FIND") else None
+        if entertained is not None:
+            self.selection.node = entertained.node
+            self.selection.supposed = self.frame.supposed | entertained.nodes
+        try:
+            yield from self._chosen(tag)
+        finally:
+            if entertained is not None:
+                entertained.drop()
+
+    def _entertained(self) -> Hypothesis | None:
+        """What this step wants to find out, as nodes that nobody takes for a fact."""
+        graphlet, binding = self.directive.graphlet, self.frame.binding
+        if graphlet is None and (question := self._question()) is not None:
+            graphlet, binding = asked_for(question, self.commons.memory)
+        return suppose(graphlet, self.commons.memory, binding) if graphlet else None
+
+    def _chosen(self, tag: str) -> Iterator[Chosen]:
         found = list(self.selection.applicable(tag))
         if tag == "ANTE":
             found.sort(key=lambda c: not c.operator.prohibits)
@@ -105,24 +132,32 @@ class RunningStep:
 
     def desperate(self) -> bool:
         """Lower the threshold once (Connell 2019: a robot "desperate to find some action" may)."""
-        if self.selection.threshold <= self.commons.settings.desperate_threshold:
+        if self.selection.desperate:
             return False
+        self.selection.desperate = True
         self.selection.threshold = self.commons.settings.desperate_threshold
         return True
 
     def run(self, advice: Advice) -> Run:
         """Run the operator's chain in a frame of its own."""
         assert isinstance(advice, Chosen)
-        if len(self.frame.within) >= DEEPEST:
+        if len(self.frame.within) >= self.commons.settings.depth:
             self.frame.explain("too_deep", self.node)
             return Verdict.FAILED
+        self.followed.append(advice.lesson)
         before = self.focus.failure
+        tag = advice.operator.trigger.tag
         frame = self.frame.within_operator(advice.binding, advice.lesson)
+        frame.desperate, frame.supposed = self.selection.desperate, self.selection.supposed
+        if tag == "DO":
+            frame.manners = left_over(self.node, advice.binding.values())
         if advice.operator.trigger.tag == "NOTE" and self.focus.reaction is None:
             self.focus.reaction = advice.lesson
         verdict = yield from frame.chain(advice.operator.chain)
-        if verdict.ok or advice.operator.trigger.tag in ("POST", "NOTE"):
+        asked = self.directive.tag in ("CHK", "FIND", "ASK")  # what counts is what is known then
+        if verdict.ok or asked or tag in ("POST", "NOTE"):
             self.focus.failure = before
+        self.advised = self.advised or verdict.ok or verdict is Verdict.PUNTED
         # A veto stands even where the robot fails at what it should do instead.
         if verdict is Verdict.FAILED and advice.operator.forbids:
             return Verdict.PUNTED
@@ -148,7 +183,10 @@ class RunningStep:
 
     def referent(self) -> bool:
         """FIND inside a play: the first option is taken, without coming back."""
-        binding = next(self.frame.options(self.directive, ()), None)
+        graphlet = self.directive.graphlet
+        if graphlet is None or graphlet.main in self.frame.binding:
+            return True
+        binding = self.frame.recalled(graphlet)
         if binding is not None:
             self.frame.binding = binding
         return binding is not None
@@ -174,14 +212,34 @@ class RunningStep:
         refused = failure is not None and failure.reason == "not_stored"
         return Verdict.FAILED if refused else Verdict.SUCCEEDED
 
+    def _question(self) -> Question | None:
+        meaning = self.focus.heard.meaning if self.focus.heard else None
+        return meaning if isinstance(meaning, Question) else None
+
+    def excuse(self) -> bool:
+        """Give the explanation of the failure that the focus notes."""
+        if self.focus.excuse is not None:
+            self.commons.replies.append(self.focus.excuse)
+        return self.focus.excuse is not None
+
+    def seeking(self) -> str:
+        """The tag of the operators that may find the answer: CHK for yes or no, else FIND; "" where memory has it."""
+        question = self._question()
+        if question is None or question.topic or self._recalled(question).verdict != "unknown":
+            return ""
+        return "CHK" if question.ask == "yesno" else "FIND"
+
     def answer(self) -> None:
         """Reply to the focus's question."""
-        meaning = self.focus.heard.meaning if self.focus.heard else None
-        if isinstance(meaning, Question):
-            for node in named(meaning.about, self.commons.memory):
-                self.frame.mention(node)
-            self.commons.memory.refresh()
-            self.commons.replies.append(answer(meaning, self.commons.memory))
+        if (question := self._question()) is not None:
+            self.commons.replies.append(self._recalled(question))
+
+    def _recalled(self, question: Question) -> Answer:
+        memory = self.commons.memory
+        for node in named(question.about, memory):
+            self.frame.mention(node)
+        memory.refresh()
+        return answer(question, memory)
 
     def times(self) -> int:
         """The count under the action node."""
@@ -193,6 +251,11 @@ class RunningStep:
     def explain(self, reason: StepReason) -> None:
         """Say why; operators that were left out because they are running already mean recursion."""
         if reason == "prohibited":
+            return
+        if reason in ("not_so", "not_known"):
+            graphlet = self.directive.graphlet
+            about = (spelled_out(graphlet, self.frame.binding),) if graphlet else ()
+            self.frame.explain(reason, None, about=about)
             return
         why: Reason = "recursion" if reason == "no_way" and self.selection.ruled_out else reason
         self.frame.explain(why, self.node)

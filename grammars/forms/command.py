@@ -19,6 +19,10 @@ EXAMPLES = (
     "say hello three times",
     "turn left while saying excuse me",
     "grab the block that is not blue",
+    "find out whether something is close",
+    "check whether the gripper is empty then drive forward",
+    "find out what color the block is",
+    "find out what is near",
 )
 TURNS = frozenset(("left", "right", "clockwise", "counterclockwise", "around"))
 LIFTS = {"up": "raise", "down": "lower"}

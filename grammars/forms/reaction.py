@@ -19,6 +19,8 @@ EXAMPLES = (
     "if something is close back up unless it is a block",
     "Close the door whenever you see Mom coming.",
     "say bless you when someone sneezes",
+    "if you fail to grab something say oops",
+    "When you can't do something, say sorry.",
 )
 
 

@@ -117,6 +117,21 @@ def _subject(telling: Telling, name: str, negated: bool) -> str:
     return thing(telling, name, "subject")
 
 
+def wonders(telling: Telling, name: str) -> bool:
+    """True where what is looked for is no thing, but what a thing is like, of what kind it is or where."""
+    return telling.term(name).kind in ("hq", "ako", "loc")
+
+
+def wonder(telling: Telling, name: str) -> str:
+    """What is to be found out: "what color it is", "what it is", "where it is"."""
+    term = telling.term(name)
+    telling.stated.add(name)
+    attribute = [word(kind) for kind in telling.take(name, "ako")]
+    subject = thing(telling, linked(term, term.kind), "subject")
+    asked = "where" if term.kind == "loc" else " ".join(["what", *attribute])
+    return f"{asked} {subject} {be(subject)}"
+
+
 def naming(telling: Telling, term: Term) -> Clause:
     """The thing is called so: the main node is no predicate but has a name."""
     subject = thing(telling, term.name, "subject")

@@ -80,6 +80,8 @@ def _object(telling: Telling, name: str) -> str:
     term = telling.term(name)
     if term.literal is not None:
         return literally(term.literal)
+    if term.kind == "act":
+        return f"to {deed(telling, name)}"
     sought = linked(term, "loc")
     if sought and not term.lex:
         telling.stated.add(name)

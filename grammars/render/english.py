@@ -13,6 +13,7 @@ from grammars.render.telling import Telling, Voice
 from grammars.render.things import thing
 from kernel.memory.lesson import Content, Operator, Rule
 from kernel.memory.meaning import (
+    Choice,
     Command,
     Control,
     Fact,
@@ -47,6 +48,8 @@ def render(meaning: Meaning | Content, voice: Voice) -> str:
             return procedure(Telling(told, (), voice), chain)
         case Question():
             return question(meaning, voice)
+        case Choice(described):
+            return thing(Telling((described,), (), voice), described.main)
         case Revision():
             return talk.revision(meaning, voice)
         case Control():

@@ -7,7 +7,7 @@ from typing import Final
 from grammars.build import particles
 from grammars.hedges import BELIEF, PREFERENCE
 from grammars.morphology import plural
-from grammars.render.clauses import conditions
+from grammars.render.clauses import conditions, wonder, wonders
 from grammars.render.deeds import deed
 from grammars.render.procedures import procedure, without
 from grammars.render.telling import SAYING, Telling, Voice, linked, word
@@ -47,6 +47,8 @@ def operator(content: Operator, voice: Voice) -> str:
             return (
                 f"{_self(telling)} may {may}{_enabled(telling, content)}{_except(telling, content)}"
             )
+        case "FIND" if wonders(telling, _main(content)):
+            return _procedure(telling, content, f"to find out {wonder(telling, _main(content))}")
         case "FIND":
             return _procedure(telling, content, f"to find {thing(telling, _main(content))}")
         case "CHK" | "ACH" as tag:
@@ -70,6 +72,8 @@ def shortened(content: Operator, act: str) -> list[str]:
             return [f"I will not {act}", f"I will not always {verb}"]
         case "ALLOW":
             return [f"I may {act}", f"sometimes I may {verb}"]
+        case "FIND" | "CHK" as tag:
+            return ["I know how to find that" if tag == "FIND" else "I know how to check that"]
         case "NOTE":
             return _steps(content, "then")
         case "ANTE":

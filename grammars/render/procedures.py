@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
-from grammars.render.clauses import conditions
+from grammars.render.clauses import conditions, wonder, wonders
 from grammars.render.deeds import VerbForm, deed
 from grammars.render.telling import Telling
 from grammars.render.things import thing
@@ -56,6 +56,8 @@ def _part(telling: Telling, part: Directive | Chain, form: VerbForm, spoken: set
         return ""
     main = part.graphlet.main
     match part.tag:
+        case "FIND" if wonders(telling, main):
+            return f"find out {wonder(telling, main)}"
         case "FIND":
             return "" if main in spoken else f"find {thing(telling, main)}"
         case "CHK":

@@ -35,11 +35,9 @@ def _claimed(asked: Question, holds: bool) -> str:
         case "did":
             done = act_in_words(asked.about, (), "past" if holds else "base")
             return f"I {'' if holds else 'did not '}{done}"
-    said = claim(Telling((asked.about,), (), "robot"), asked.about)
     negated = asked.about.term(main).negated if main in asked.about.names else False
-    if holds or negated:
-        return str(said)
-    return f"{said.subject} {said.verb} not {said.asked}"
+    so = asked.about if holds or negated else asked.about.denied()
+    return str(claim(Telling((so,), (), "robot"), so))
 
 
 def _unknown(asked: Question) -> str:

@@ -5,10 +5,12 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Final
 
-from grammars.render import act_in_words, thing_in_words
+from grammars.render import act_in_words, claim_in_words, definite, thing_in_words
+from grammars.render.questions import indirect
 from grammars.render.things import PRONOUNS, proper
 from grammars.replies import Said, both, renders
 from grammars.vocabulary import BORN
+from kernel.memory.meaning import Question
 from kernel.memory.reply import Failed, Reason
 from kernel.net.graphlet import Term
 
@@ -75,6 +77,36 @@ def _conflict(reply: Failed) -> str:
     return f"I can't do two things with my {reply.detail or 'body'} at the same time"
 
 
+def _not_so(reply: Failed) -> str:
+    """What was to be so is not: "the block is not red"."""
+    if not reply.about:
+        return "that is not so"
+    return claim_in_words(reply.about[0].denied())
+
+
+def _not_known(reply: Failed) -> str:
+    return f"I could not find out {_wondered(reply)}"
+
+
+def _wondered(reply: Failed) -> str:
+    """ "Whether the block is red", "what color it is"."""
+    if not reply.about:
+        return "that"
+    about = definite(reply.about[0])
+    main = about.term(about.main) if about.main in about.names else Term(about.main)
+    if main.lex or main.kind not in ("hq", "ako", "loc"):
+        return indirect(Question("yesno", about), "robot")
+    ask = "where" if main.kind == "loc" else "what"
+    return indirect(Question(ask, about, about.main), "robot")  # type: ignore[arg-type]
+
+
+def _not_answered(reply: Failed) -> str:
+    if not reply.about:
+        return "I don't know which one you mean"
+    which = thing_in_words(reply.about[0].main, reply.about).removeprefix("the ")
+    return f"I don't know which {which} you mean"
+
+
 # What a command left out, by the name that the grounding functions give it.
 _MISSING: Final = {
     "direction": "you did not say which way to {verb}",
@@ -100,5 +132,8 @@ _SENTENCES: Final[dict[Reason, Callable[[Failed], str]]] = {
     "conflict": _conflict,
     "no_room": lambda r: "I have too much on my mind, please say that again later",
     "not_stored": lambda r: f"I could not keep that{': ' + r.detail if r.detail else ''}",
+    "not_so": _not_so,
+    "not_known": _not_known,
+    "not_answered": _not_answered,
     "crashed": lambda r: f"something in me broke while {_act(r, 'gerund')}",
 }

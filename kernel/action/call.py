@@ -62,7 +62,22 @@ class Halt:
     """End every other motion for good. For the mind alone: no body sees it."""
 
 
-BodyCommand = Halt | Travel | Rotate | MoveLift | MoveGrip | Speak
+@dataclass(frozen=True, slots=True)
+class Sighting:
+    """What a look found. For the mind alone.
+
+    Attributes:
+        distance_m: of the nearest thing, None for nothing in reach.
+        bearing_rad: counterclockwise from where the robot looks now.
+        swept: it looked to both sides as well.
+    """
+
+    distance_m: float | None
+    bearing_rad: float = 0.0
+    swept: bool = False
+
+
+BodyCommand = Sighting | Halt | Travel | Rotate | MoveLift | MoveGrip | Speak
 Resource = Literal["wheels", "lift", "grip", "voice"]
 
 
@@ -138,11 +153,13 @@ class Call:
         act: the action; the whole net can be read from it.
         depth: level up to which nodes and words count.
         ticket: number of this action, for its bids.
+        fresh: gives further tickets, for an action of several motions.
     """
 
     act: Node
     depth: int
     ticket: int
+    fresh: Callable[[], int] = int
 
     @property
     def verb(self) -> str:

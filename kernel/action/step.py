@@ -8,7 +8,7 @@ from typing import Final, Literal, Protocol
 from kernel.action.verdict import Verdict
 
 Run = Generator[None, None, Verdict]
-StepReason = Literal["no_way", "prohibited", "nothing_found"]
+StepReason = Literal["no_way", "prohibited", "nothing_found", "not_so", "not_known"]
 
 
 class Advice(Protocol):
@@ -38,6 +38,12 @@ class Step(Protocol):
 
     def learn(self) -> Run:
         """Make the lesson at hand durable, then put it in force."""
+
+    def excuse(self) -> bool:
+        """Give the explanation of the failure at hand; False where there is none."""
+
+    def seeking(self) -> str:
+        """Tag of the operators that may find the answer to the question at hand, "" where memory has it."""
 
     def answer(self) -> None:
         """Reply to the question at hand from memory."""

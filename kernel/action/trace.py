@@ -24,6 +24,10 @@ What = Literal[
     "sensed",
     "concluded",
     "promoted",
+    "assumed",  # a thing was taken to exist; data text
+    "asked",  # which thing is meant; data text
+    "answered",
+    "yielded",  # more steps than a tick may take: the focus goes on in the next; data steps
     "stopped",
     "identity",
     "error",

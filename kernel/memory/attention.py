@@ -13,7 +13,7 @@ from kernel.action.step import Run
 from kernel.action.verdict import Verdict
 from kernel.memory.lesson import Lesson
 from kernel.memory.meaning import Heard
-from kernel.memory.reply import Reason
+from kernel.memory.reply import Reason, Reply
 from kernel.net.graphlet import Graphlet
 from kernel.net.node import Node
 
@@ -27,6 +27,7 @@ class Failure:
 
     Attributes:
         by: the prohibition; because: the conclusions it rests on.
+        about: what the reason is about, where that is no act.
         said_before: how often the focus had spoken by then; if it has spoken since, that was the explanation.
     """
 
@@ -36,6 +37,7 @@ class Failure:
     by: Lesson | None = None
     because: tuple[Graphlet, ...] = ()
     said_before: int = -1
+    about: tuple[Graphlet, ...] = ()
 
 
 @dataclass(slots=True, eq=False)
@@ -52,6 +54,7 @@ class Focus:
         failure: why it failed, or is failing.
         reaction: the NOTE operator it followed first; lesson: what it is to learn.
         said: how often it has spoken.
+        excuse: the reply that explains a failure; this focus notes that failure.
         preempted: when which lesson's reaction took a resource from it, s.
         waits: what its chains wait for: the grounding functions, the store, a condition, an answer; set by whatever
             yields, so that nothing waits for nothing.
@@ -68,6 +71,7 @@ class Focus:
     reaction: Lesson | None = None
     lesson: Lesson | None = None
     said: int = 0
+    excuse: Reply | None = None
     preempted: list[tuple[float, int]] = field(default_factory=list)
     waits: set[str] = field(default_factory=set)
 
@@ -97,6 +101,10 @@ class Attention:
     def crowded(self) -> bool:
         """Whether something has to leave before something new is posted."""
         return len(self._foci) >= ROOM
+
+    def newest(self, node: Node) -> int:
+        """Number of the newest focus that mentions the node, 0 where none does any more."""
+        return next((focus.number for focus in self if node in focus.nodes), 0)
 
     def post(self, heard: Heard | None = None) -> Focus:
         """Put something new before the mind."""

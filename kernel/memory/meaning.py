@@ -83,6 +83,13 @@ class Control:
 
 
 @dataclass(frozen=True, slots=True)
+class Choice:
+    """The answer to "which one": a description of the thing meant. Understood only while that is asked."""
+
+    described: Graphlet
+
+
+@dataclass(frozen=True, slots=True)
 class Revision:
     """A correction of the last command or lesson.
 
@@ -94,7 +101,9 @@ class Revision:
     of: Graphlet | None = None
 
 
-Meaning = Command | Fact | Teach | Question | Feedback | Identity | Social | Control | Revision
+Meaning = (
+    Command | Fact | Teach | Question | Feedback | Identity | Social | Control | Choice | Revision
+)
 
 
 @dataclass(frozen=True, slots=True)

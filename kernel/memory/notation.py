@@ -9,6 +9,7 @@ from typing import Any, TypeVar
 from kernel.action.chain import Chain, Directive, Play, sequence
 from kernel.memory.lesson import Content, Operator, Rule
 from kernel.memory.meaning import (
+    Choice,
     Command,
     Control,
     Fact,
@@ -64,6 +65,8 @@ def write_meaning(meaning: Meaning) -> tuple[str, ...]:
             return (act,)
         case Control(act, about):
             return (act, *((write(about),) if about else ()))
+        case Choice(described):
+            return (write(described),)
         case Revision(chain, instead_of, of):
             parts = [("instead of", instead_of), ("of", of)]
             return (write(chain), *(f"{label}:\n{write(g)}" for label, g in parts if g))

@@ -85,12 +85,37 @@ def missing(find: Directive) -> str:
 def named(graphlet: Graphlet, memory: WorkingMemory) -> list[Node]:
     """Known things that carry a name used in the graphlet."""
     words = [word for term in graphlet.terms if term.kind in THINGS for word in sorted(term.lex)]
-    return [n for word in words for n in memory.net.with_word(word) if n.kind in THINGS]
+    return [
+        node
+        for word in words
+        for node in memory.net.with_word(word)
+        if node.kind in THINGS and node.level <= REMEMBERED
+    ]
 
 
 def is_so(binding: Binding) -> bool:
     """Whether the match rests on what is so, and not on what somebody has merely said."""
     return all(node.kind != "said" for node in binding.values())
+
+
+def holding(
+    about: Graphlet, memory: WorkingMemory, start: Binding | None = None, threshold: float = 0.5
+) -> Iterator[Binding]:
+    """Bindings under which it is so, as far as anybody remembers.
+
+    That a quality is of a kind ("color") may be known of the word alone: "red is a color".
+    """
+    net, bound = memory.net, start or {}
+    yield from filter(is_so, matches(about, net, REMEMBERED, bound, threshold))
+    kinds = [t for t in about.terms if t.links == (("ako", about.main),)]
+    if not kinds or not about.main.startswith("hq"):
+        return
+    rest = Graphlet(tuple(t for t in about.terms if t not in kinds), about.main)
+    for binding in filter(is_so, matches(rest, net, REMEMBERED, bound, threshold)):
+        called = [n for word in binding[about.main].lex for n in net.with_word(word)]
+        told = [kind for thing in called for kind in thing.modifiers("ako")]
+        if all(any(t.lex <= kind.words() and is_so({"": kind}) for kind in told) for t in kinds):
+            yield binding
 
 
 def answer(question: Question, memory: WorkingMemory) -> Answer:
@@ -110,7 +135,7 @@ def answer(question: Question, memory: WorkingMemory) -> Answer:
                 )
         return Answer(question, "unknown")
     found = []
-    for binding in filter(is_so, matches(about, memory.net, REMEMBERED)):
+    for binding in holding(about, memory):
         wanted = binding.get(question.wanted or about.main)
         if wanted is not None and wanted not in found:
             found.append(wanted)

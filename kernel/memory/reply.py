@@ -26,6 +26,9 @@ Reason = Literal[
     "conflict",  # two parts of one play want the same thing; detail names it
     "no_room",
     "not_stored",  # a lesson could not be made durable; detail says why
+    "not_so",  # a CHK failed; about says of what
+    "not_known",  # a CHK or FIND could not find out; about says what
+    "not_answered",  # the person did not say which one is meant; about describes it
     "crashed",  # a grounding function broke; the log has it
 ]
 
@@ -78,6 +81,33 @@ class Answer:
 
 
 @dataclass(frozen=True, slots=True)
+class AskWhich:
+    """Several things fit equally well: which is meant? Handed to parse while it is open.
+
+    Attributes:
+        wanted: the description as it was said.
+        options: the things, with all that is known of them.
+    """
+
+    wanted: Graphlet
+    options: tuple[Graphlet, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Saw:
+    """What a look found: the nearest thing, or nothing (distance_m None).
+
+    Attributes:
+        bearing_deg: from straight ahead, counterclockwise positive.
+        swept: it looked to both sides as well.
+    """
+
+    distance_m: float | None
+    bearing_deg: float = 0.0
+    swept: bool = False
+
+
+@dataclass(frozen=True, slots=True)
 class Met:
     """The speaker is now known under this name; "" forgets him."""
 
@@ -106,4 +136,16 @@ class NotYet:
     what: str
 
 
-Reply = LessonTaken | FactTaken | Refused | Failed | Answer | Met | Greeted | Halted | NotYet
+Reply = (
+    LessonTaken
+    | FactTaken
+    | Refused
+    | Failed
+    | Answer
+    | AskWhich
+    | Saw
+    | Met
+    | Greeted
+    | Halted
+    | NotYet
+)

@@ -11,12 +11,13 @@ class Settings:
 
     Attributes:
         threshold: belief below which a premise does not count.
-        desperate_threshold: the same, for a DO that found nothing applicable.
+        desperate_threshold: the same, while the robot is desperate: a DO found nothing applicable.
         prohibition_threshold: the same for prohibitions (caution); permission_threshold for permissions.
-        least_preference: operators below it are not considered.
+        least_preference: operators below it are not considered, unless the robot is desperate.
         sharpness: exponent on preference when choosing.
         fade_s: how long a handled focus stays in attention, s.
         owner: name of the person who may also forget, undo and permit what others forbade; "" for nobody.
+        depth: operators within operators that are carried out; one more fails and is told.
     """
 
     threshold: float = 0.5
@@ -27,3 +28,4 @@ class Settings:
     sharpness: float = 1.0
     fade_s: float = 30.0
     owner: str = ""
+    depth: int = 20

@@ -15,6 +15,9 @@ WORKING: Final = 0  # in working memory
 BAND_1: Final = 1  # halo, concluded from working memory
 BAND_2: Final = 2  # halo, concluded from working memory and band 1
 REMEMBERED: Final = 3  # told, but about nothing that is in mind now
+HYPOTHETICAL: Final = (
+    4  # entertained, held by nobody: only who entertains it sees it (kernel.hypothesis)
+)
 
 # Roles by which a predicate says more about what it points to: part of a description of it.
 MODIFIER_ROLES: Final = frozenset(
@@ -28,12 +31,14 @@ class Node:
     Attributes:
         lex: lexical items told; halo_lex: further ones that rules conclude now, with the band they came from.
         links, into: (role, node) from here, and from others to here.
-        level: WORKING, BAND_1, BAND_2 or REMEMBERED.
+        level: WORKING, BAND_1, BAND_2, REMEMBERED or HYPOTHETICAL.
         reasons: for a conclusion, the nodes it rests on; rule: number of the rule lesson, else 0.
         stamp: when it was last mentioned, a running count.
+        assumed: nobody told of it: it was taken to exist as the object of an act (FIND).
     """
 
     __slots__ = (
+        "assumed",
         "belief",
         "halo_lex",
         "into",
@@ -61,6 +66,7 @@ class Node:
         self.reasons: frozenset[Node] = frozenset()
         self.rule = 0
         self.stamp = 0
+        self.assumed = False
 
     def __repr__(self) -> str:
         return f"<{self.name} {' '.join(sorted(self.lex))}>"
@@ -215,8 +221,9 @@ def _names(graphlet: Graphlet) -> list[str]:
     return names
 
 
-def describe(node: Node, limit: int = 40) -> Graphlet:
-    """What is known of a node, as a graphlet: itself, what it points to, and what modifies any of these."""
+def describe(node: Node, limit: int = 40, depth: int = BAND_2) -> Graphlet:
+    """What is known of a node, as a graphlet: itself, what it points to, and what modifies any of these within the
+    depth."""
     terms: dict[Node, Term] = {}
     pending = [node]
     while pending and len(terms) < limit:
@@ -228,7 +235,7 @@ def describe(node: Node, limit: int = 40) -> Graphlet:
             here.name, frozenset(here.lex), here.literal, "", here.negated, here.belief, links
         )
         pending += [other for role, other in here.links if role != "cmd"]
-        pending += [p for role, p in here.into if role in MODIFIER_ROLES and p.level <= BAND_2]
+        pending += [p for role, p in here.into if role in MODIFIER_ROLES and p.level <= depth]
     shown = {n.name for n in terms}
     kept = tuple(t for t in terms.values() if all(other in shown for _, other in t.links))
     return Graphlet(kept, node.name)

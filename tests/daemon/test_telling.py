@@ -12,8 +12,8 @@ from grammars.replies import Said
 from kernel.action.call import BodyState
 from kernel.action.trace import Record
 from kernel.memory.meaning import Question
-from kernel.memory.reply import Answer, Failed, Halted, Met, Reply
-from kernel.net.graphlet import Graphlet
+from kernel.memory.reply import Answer, AskWhich, Failed, Halted, Met, Reply
+from kernel.net.graphlet import Graphlet, Term
 
 
 def test_a_pose_is_in_centimetres_degrees_and_permille() -> None:
@@ -86,6 +86,15 @@ def test_replies(reply: Reply, acknowledged: bool, ok: bool) -> None:
     last = told[-1]
     assert isinstance(last, events.Replied)
     assert (last.ok, last.shown, last.spoken) == (ok, "shown", "spoken")
+
+
+def test_a_question_is_an_event_of_its_own() -> None:
+    """And no failure: what was asked for waits."""
+    wanted = Graphlet((Term("ako-2", frozenset({"block"}), links=(("ako", "obj-1"),)),), "obj-1")
+    told = list(from_reply(AskWhich(wanted, ()), Said("Which block?", "Which block?"), 2.0))
+    assert told[0] == events.Question(t=2.0, text="Which block?")
+    assert isinstance(told[1], events.Replied)
+    assert told[1].ok
 
 
 def test_event_names_are_those_of_service_md() -> None:

@@ -149,6 +149,22 @@ class Draft:
             plays.append(Play(tuple(parts)))
         return Chain((*plays, *(Play((directive,)) for directive in last)))
 
+    def inquiry(self, pattern: bool) -> Directive:
+        """To find out whether something is so, or what or where something is."""
+        sort = self.one_of("whether", "color", "kind", "place")
+        if pattern:
+            thing = self.thing("a", deep=False)
+        else:
+            anything = sort == "whether" and self.maybe()
+            thing = self.add("obj") if anything else self.looked_up("the")
+        if sort == "whether":
+            return Directive("CHK", self.graphlet(self.statement(thing)))
+        role = {"color": "hq", "kind": "ako", "place": "loc"}[sort]
+        wanted = self.add(role, **{role: thing})
+        if sort == "color":
+            self.add("ako", "color", ako=wanted)
+        return Directive("FIND", self.graphlet(wanted))
+
     def statement(self, thing: str) -> str:
         """Something said of a thing; the predicate."""
         sort = self.one_of("quality", "degree", "place", "kind")
@@ -180,6 +196,30 @@ def _procedure(draft: Draft) -> Meaning:
     strength = draft.draw(st.sampled_from([0.6, 0.8, 1.0, 1.1, 1.2]))
     chain = draft.chain()
     return Teach("procedure", Operator(Directive("DO", trigger), chain, preference=strength))
+
+
+def _finding(draft: Draft) -> Meaning:
+    if draft.maybe():
+        trigger = draft.inquiry(pattern=True)
+    else:
+        trigger = Directive("FIND", draft.graphlet(draft.thing(deep=False)))
+    strength = draft.draw(st.sampled_from([0.8, 1.0, 1.2]))
+    return Teach("procedure", Operator(trigger, draft.chain(), preference=strength))
+
+
+def _inquiring(draft: Draft) -> Meaning:
+    step = draft.inquiry(pattern=False)
+    plays = (*(Play((Directive("FIND", find),)) for find in draft.finds), Play((step,)))
+    draft.finds = []
+    more = draft.chain().plays if draft.maybe() else ()
+    return Command(Chain((*plays, *more)))
+
+
+def _failing(draft: Draft) -> Meaning:
+    act = draft.add("act") if draft.maybe() else draft.action(pattern=True)
+    main = draft.add("act", "fail", agt=draft.oneself("you"), obj=act)
+    trigger = draft.graphlet(main)
+    return Teach("reaction", Operator(Directive("NOTE", trigger), draft.chain()))
 
 
 def _around(draft: Draft) -> Meaning:
@@ -249,4 +289,5 @@ def _fact(draft: Draft) -> Meaning:
 commands = _with(lambda draft: Command(draft.chain()))
 procedures, arounds, reactions = _with(_procedure), _with(_around), _with(_reaction)
 prohibitions, permissions = _with(_prohibition), _with(_permission)
+findings, inquiries, failings = _with(_finding), _with(_inquiring), _with(_failing)
 rules, facts, trusts = _with(_rule), _with(_fact), _with(_trust)

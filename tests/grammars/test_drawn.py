@@ -71,7 +71,7 @@ def draw(symbol: str, budget: int, chance: random.Random) -> list[str]:
     return [word for part in way for word in draw(part, budget - 1, chance)]
 
 
-@pytest.mark.parametrize("form", sorted(discover()))
+@pytest.mark.parametrize("form", sorted(n for n, f in discover().items() if not f.expected))
 def test_sentences_of_a_form(form: str) -> None:
     chance = random.Random(form)
     drawn = (draw(form, chance.choice((6, 8, 10)), chance) for _ in range(6 * EACH))

@@ -89,6 +89,63 @@ PROCEDURES = [
         "I will wait 1 second afterwards",
         id="an after",
     ),
+    pytest.param(
+        """trig: FIND[ obj-1
+               ako-2 -lex- ball
+                     -ako-> obj-1 ]
+           pref: 0.8
+           ---------------
+           DO[ act-3 -lex- turn
+               dir-4 -lex- left
+                     -dir-> act-3 ]""",
+        "to find a ball, you could turn left",
+        "to find a ball, I could turn left",
+        "I know how to find that",
+        id="how to find a thing",
+    ),
+    pytest.param(
+        """trig: CHK[ hq-1 -lex- heavy
+                    -hq-> obj-2
+               ako-3 -lex- block
+                     -ako-> obj-2 ]
+           pref: 1.0
+           ---------------
+           DO[ act-4 -lex- lift
+                     -obj-> obj-2 ]""",
+        "to check whether a block is heavy, lift it",
+        "to check whether a block is heavy, I will lift it",
+        "I know how to check that",
+        id="how to check something",
+    ),
+    pytest.param(
+        """trig: FIND[ ako-1 -ako-> obj-2 ]
+           pref: 1.0
+           ---------------
+           FIND[ hq-3 -hq-> obj-2
+                 ako-4 -lex- color
+                       -ako-> hq-3 ]""",
+        "to find out what something is, find out what color it is",
+        "to find out what something is, I will find out what color it is",
+        "I know how to find that",
+        id="how to find out what something is",
+    ),
+    pytest.param(
+        """trig: NOTE[ act-1 -lex- fail
+                     -agt-> obj-2
+                     -obj-> act-3
+               obj-2 -lex- you
+               act-3 -lex- grab
+                     -obj-> obj-4 ]
+           pref: 1.0
+           ---------------
+           DO[ act-5 -lex- say
+                     -obj-> txt-6
+               txt-6 -str- oops ]""",
+        'if you fail to grab something, say "oops"',
+        'when I fail to grab something, I will say "oops"',
+        "I will say that then",
+        id="what to do about failing",
+    ),
 ]
 
 PROHIBITIONS = [
@@ -263,7 +320,7 @@ a girl is a person; girls are usually female; widdershins means counterclockwise
 the bottle to the left of the green box is Advil; there is something very close; Mary is a girl; hey, stop that!
 """
 SENTENCES = [s.strip() for line in PAPER.strip().splitlines() for s in line.split(";")]
-EXAMPLES = [example for form in discover().values() for example in form.examples]
+EXAMPLES = [e for form in discover().values() if not form.expected for e in form.examples]
 
 
 @pytest.mark.parametrize("sentence", dict.fromkeys([*SENTENCES, *EXAMPLES]))
@@ -280,7 +337,7 @@ def test_the_robots_voice_has_words_for_every_form(sentence: str) -> None:
 
 
 @settings(max_examples=25, deadline=None)
-@given(nets.commands)
+@given(st.one_of(nets.commands, nets.inquiries))
 def test_any_command(meaning: Meaning) -> None:
     same(render(meaning, "teacher"), "command", meaning)
 
@@ -290,6 +347,7 @@ def test_any_command(meaning: Meaning) -> None:
     st.one_of(
         *(nets.procedures, nets.arounds, nets.reactions),
         *(nets.prohibitions, nets.permissions, nets.trusts),
+        *(nets.findings, nets.failings),
     )
 )
 def test_any_operator(meaning: Teach) -> None:

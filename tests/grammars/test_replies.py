@@ -15,6 +15,7 @@ from kernel.memory.meaning import Question, Social
 from kernel.memory.notation import read
 from kernel.memory.reply import (
     Answer,
+    AskWhich,
     FactTaken,
     Failed,
     Greeted,
@@ -25,8 +26,9 @@ from kernel.memory.reply import (
     Reason,
     Refused,
     Reply,
+    Saw,
 )
-from kernel.net.graphlet import Graphlet
+from kernel.net.graphlet import Graphlet, Term
 
 
 def net(text: str) -> Graphlet:
@@ -47,6 +49,10 @@ MARY_IS_A_PERSON = net("ako-1 -lex- person, -ako-> obj-2, obj-2 -lex- mary")
 HOLDING = net(
     "act-1 -lex- hold, -agt-> obj-2, -obj-> obj-3, obj-2 -lex- you, ako-4 -lex- block, -ako-> obj-3"
 )
+CLOSE = net("hq-1 -lex- close, -hq-> obj-2")
+THE_BLOCK = net("obj-1 -ref- the, ako-2 -lex- block, -ako-> obj-1")
+THE_BLOCK_IS_RED = net("hq-3 -lex- red, -hq-> obj-1, ako-2 -lex- block, -ako-> obj-1")
+THE_COLOR = net("hq-3 -hq-> obj-1, ako-4 -lex- color, -ako-> hq-3, ako-2 -lex- block, -ako-> obj-1")
 GO = net("act-1 -lex- go, -dest-> obj-2, ako-3 -lex- kitchen, -ako-> obj-2, obj-2 -ref- the")
 WIDDERSHINS = net("act-1 -lex- turn, dir-2 -lex- widdershins, -dir-> act-1")
 DRIVE = net("act-1 -lex- drive, dir-2 -lex- forward, -dir-> act-1")
@@ -169,6 +175,18 @@ def test_reply(reply: Reply, shown: str, spoken: str) -> None:
         (Failed(None, "nothing_found", "kitchen"), "I don't know where the kitchen is."),
         (Failed(None, "nothing_found", "mary"), "I don't know where Mary is."),
         (Failed(GRAB_MARY, "no_sense"), "I have no way to see that."),
+        (Failed(None, "not_so", about=(THE_BLOCK_IS_RED,)), "The block is not red."),
+        (Failed(None, "not_so", about=(CLOSE,)), "Nothing is close."),
+        (Failed(None, "not_so"), "That is not so."),
+        (
+            Failed(None, "not_known", about=(THE_BLOCK_IS_RED,)),
+            "I could not find out whether the block is red.",
+        ),
+        (
+            Failed(None, "not_known", about=(THE_COLOR,)),
+            "I could not find out what color the block is.",
+        ),
+        (Failed(None, "not_answered", about=(THE_BLOCK,)), "I don't know which block you mean."),
         (Failed(DRIVE, "too_much", "2 meters"), "I can't drive more than 2 meters at once."),
         (Failed(DRIVE, "link_lost"), "I have lost the robot."),
         (Failed(DRIVE, "stopped"), "I stopped driving forward."),
@@ -288,6 +306,71 @@ PERSON = Question("yesno", MARY_IS_A_PERSON)
     ],
 )
 def test_answer(reply: Answer, said: str) -> None:
+    assert say(reply) == Said(said, said)
+
+
+def option(*more: str) -> Graphlet:
+    """A block as the mind describes it: its own term first."""
+    terms = net(", ".join(("ako-2 -lex- block, -ako-> obj-1", *more))).terms
+    own = next((term for term in terms if term.name == "obj-1"), Term("obj-1"))
+    return Graphlet((own, *(term for term in terms if term is not own)), "obj-1")
+
+
+RED, BLUE, HEAVY = (option(f"hq-3 -lex- {word}, -hq-> obj-1") for word in ("red", "blue", "heavy"))
+
+
+@pytest.mark.parametrize(
+    ("options", "said"),
+    [
+        ((RED, BLUE), "Which block: the red one or the blue one?"),
+        ((RED, BLUE, HEAVY), "Which block: the red one, the blue one or the heavy one?"),
+        ((RED, option()), "Which block: the red one or the other one?"),
+        (
+            (
+                option("hq-3 -lex- red, -hq-> obj-1, deg-4 -lex- very, -deg-> hq-3"),
+                option("hq-3 -lex- red, -hq-> obj-1"),
+            ),
+            "Which block: the very red one or the red one?",
+        ),
+        (
+            (
+                option("loc-3 -lex- left, -loc-> obj-1"),
+                option(
+                    "loc-3 -lex- behind, -loc-> obj-1, -wrt-> obj-5, ako-6 -lex- wall, -ako-> obj-5"
+                ),
+            ),
+            "Which block: the one on the left or the one behind a wall?",
+        ),
+        (
+            (
+                option("hq-3 -lex- red, -hq-> obj-1, hq-4 -lex- big, -hq-> obj-1"),
+                option("hq-3 -lex- red, -hq-> obj-1, hq-4 -lex- small, -hq-> obj-1"),
+            ),
+            "Which block: the big one or the small one?",
+        ),
+        (
+            (option("obj-1 -lex- spot"), option("obj-1 -lex- rover")),
+            "Which block: Spot or Rover?",
+        ),
+    ],
+)
+def test_ask_which(options: tuple[Graphlet, ...], said: str) -> None:
+    assert say(AskWhich(THE_BLOCK, options)) == Said(said, said)
+
+
+@pytest.mark.parametrize(
+    ("reply", "said"),
+    [
+        (Saw(0.12), "Something is 12 centimeters ahead."),
+        (Saw(0.011), "Something is 1 centimeter ahead."),
+        (Saw(None), "There is nothing ahead of me."),
+        (Saw(None, swept=True), "There is nothing near me."),
+        (Saw(0.2, 41.6, True), "Something is 20 centimeters away, 42 degrees to the left."),
+        (Saw(0.2, -30.0, True), "Something is 20 centimeters away, 30 degrees to the right."),
+        (Saw(0.2, 4.0, True), "Something is 20 centimeters ahead."),
+    ],
+)
+def test_saw(reply: Saw, said: str) -> None:
     assert say(reply) == Said(said, said)
 
 

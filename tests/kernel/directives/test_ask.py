@@ -76,3 +76,43 @@ def test_who_am_i(robot: Any) -> None:
 def test_asking_changes_nothing(robot: Any) -> None:
     for _ in range(2):
         assert ask(robot, Question("yesno", graphlet(TALL.format("")))).verdict == "unknown"
+
+
+# -- finding out first ---------------------------------------------------------------------
+
+FIND_COLOR = """
+    trig: FIND[ hq-1 -hq-> obj-2; ako-3 -lex- color; -ako-> hq-1 ]; pref: 1.0; ---;
+    DO[ act-7 -lex- say; -obj-> txt-8; txt-8 -str- let me see ]
+    NOTE[ hq-5 -lex- red; -hq-> obj-2 ]
+"""
+COLOR = "hq-1 -hq-> obj-2\nobj-2 -ref- the\nako-3 -lex- block\n-ako-> obj-2\nako-4 -lex- color\n-ako-> hq-1"
+
+
+def test_whether_it_is_so_is_found_out_before_it_is_answered(robot: Any) -> None:
+    robot.teach(
+        "trig: CHK[ hq-1 -lex- tall; -hq-> obj-2 ]; pref: 1.0; ---; NOTE[ hq-3 -lex- tall; -hq-> obj-2 ]"
+    )
+    robot.tell("ako-1 -lex- girl; -ako-> obj-2", "obj-2 -lex- mary")
+    assert ask(robot, Question("yesno", graphlet(TALL.format("")))).verdict == "yes"
+
+
+def test_what_it_is_like_is_found_out_before_it_is_answered(robot: Any) -> None:
+    robot.tell("ako-1 -lex- color; -ako-> obj-2", "obj-2 -lex- red")
+    robot.tell("ako-1 -lex- block; -ako-> obj-2")
+    question = Question("what", graphlet(COLOR), "hq-1")
+    assert ask(robot, question).verdict == "unknown"
+    robot.teach(FIND_COLOR)
+    answer = ask(robot, question)
+    assert answer.verdict == "found"
+    assert "red" in answer.found[0].words()
+    assert robot.said == ["let me see"]
+    assert ask(robot, question).verdict == "found"  # now memory has it
+    assert robot.said == ["let me see"]
+
+
+def test_what_cannot_be_found_out_is_not_known(robot: Any) -> None:
+    robot.teach(
+        "trig: CHK[ hq-1 -lex- tall; -hq-> obj-2 ]; pref: 1.0; ---; DO[ act-7 -lex- twizzle ]"
+    )
+    assert ask(robot, Question("yesno", graphlet(TALL.format("")))).verdict == "unknown"
+    assert robot.reasons == []

@@ -1,0 +1,130 @@
+"""FIND: the things a description may be bound to, one after the other.
+
+Memory comes first, the newest mention first; then FIND operators, and memory again after each; then, for the object of
+an act, a new thing that is assumed. Between things that fit equally well the person decides (mind.md).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Generator, Iterator, Sequence
+from typing import TYPE_CHECKING
+
+from kernel.action.chain import Directive
+from kernel.action.verdict import Verdict
+from kernel.memory.asking import PATIENCE_S, Asking, equal_best, which
+from kernel.memory.recall import may_assume, missing, referents
+from kernel.memory.wondering import is_thing, sought, spelled_out, values
+from kernel.net.graphlet import Graphlet
+from kernel.net.match import Binding
+from kernel.net.node import Node
+from kernel.stepping import RunningStep
+
+if TYPE_CHECKING:
+    from kernel.running import Frame
+
+Options = Iterator[Binding | None]  # None: not done this tick
+
+
+def following(options: Options) -> Generator[None, None, Binding | None]:
+    """Wait for the next binding; None where none is left."""
+    for binding in options:
+        if binding is not None:
+            return binding
+        yield
+    return None
+
+
+def bindings(frame: Frame, find: Directive, later: Sequence[Directive]) -> Options:
+    """Every binding for a FIND, best first. later: what the chain does next, for what may be assumed."""
+    graphlet = find.graphlet
+    if graphlet is None or graphlet.main in frame.binding:
+        yield frame.binding
+        return
+    start, tried = frame.binding, set[Node]()
+    known = list(remembered(frame, graphlet, start))
+    equal = equal_best(graphlet, known, frame.commons.attention.newest)
+    if equal:
+        meant = yield from _asked(frame, graphlet, equal)
+        known = [option for option in known if option[graphlet.main] is meant]
+    for option in known:
+        tried.add(option[graphlet.main])
+        frame.mention(option[graphlet.main])
+        yield option
+    if equal:
+        return
+    if not sought(graphlet, later):
+        yield from _found_out(frame, find, start, tried)
+    if not tried and may_assume(graphlet, later):
+        yield _assumed(frame, graphlet, start)
+
+
+def remembered(frame: Frame, graphlet: Graphlet, start: Binding) -> Iterator[Binding]:
+    """What memory has: things that fit, or values of what is asked for."""
+    look_up = referents if is_thing(graphlet) else values
+    return look_up(graphlet, frame.commons.memory, start, frame.threshold)
+
+
+def recalled(frame: Frame, graphlet: Graphlet) -> Binding | None:
+    """The best that memory has, without asking, looking or coming back."""
+    option = next(remembered(frame, graphlet, frame.binding), None)
+    if option is not None:
+        frame.mention(option[graphlet.main])
+    return option
+
+
+def _found_out(frame: Frame, find: Directive, start: Binding, tried: set[Node]) -> Options:
+    """What turns up when FIND operators are followed, one after the other."""
+    assert find.graphlet is not None
+    main = find.graphlet.main
+    frame.binding = start
+    step = RunningStep(frame, find)
+    for operator in step.operators("FIND"):
+        frame.binding = start
+        if (yield from step.run(operator)) is Verdict.PUNTED:
+            break
+        for option in list(remembered(frame, find.graphlet, start)):
+            if option[main] not in tried:
+                tried.add(option[main])
+                frame.mention(option[main])
+                yield option
+
+
+def _asked(
+    frame: Frame, graphlet: Graphlet, things: tuple[Node, ...]
+) -> Generator[None, None, Node | None]:
+    """Ask which of them is meant and wait for the answer; None where none comes in time."""
+    commons = frame.commons
+    things = tuple(sorted(things, key=lambda node: node.stamp))  # as they were mentioned
+    question = which(graphlet, things)
+    until_s = commons.tick.now_s + PATIENCE_S
+    asking = Asking(frame.focus.number, question, things, until_s)
+    commons.asking = asking
+    commons.replies.append(question)
+    commons.record("asked", frame.focus, text=missing(Directive("FIND", graphlet)))
+    try:
+        while asking.chosen is None:
+            if commons.asking is not asking or commons.tick.now_s >= asking.until_s:
+                frame.explain("not_answered", None, about=(graphlet,))
+                return None
+            yield
+    finally:
+        if commons.asking is asking:
+            commons.asking = None
+    return asking.chosen
+
+
+def _assumed(frame: Frame, graphlet: Graphlet, start: Binding) -> Binding:
+    """A new thing of that description, marked as assumed."""
+    frame.binding = start
+    binding = frame.instantiate(graphlet)
+    binding[graphlet.main].assumed = True
+    frame.commons.record("assumed", frame.focus, text=missing(Directive("FIND", graphlet)))
+    return binding
+
+
+def not_found(frame: Frame, find: Directive) -> None:
+    """Say what was looked for in vain."""
+    if find.graphlet is None or is_thing(find.graphlet):
+        frame.explain("nothing_found", None, missing(find))
+    else:
+        frame.explain("not_known", None, about=(spelled_out(find.graphlet, frame.binding),))
