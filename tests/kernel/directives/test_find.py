@@ -255,6 +255,12 @@ def test_a_search_that_was_taught_is_what_finding_does(robot: Any) -> None:
     assert robot.reasons == ["no_sense"]
 
 
+def test_it_searches_once_for_what_it_is_told_to_find(robot: Any) -> None:
+    robot.teach(looking(TURN))
+    find = f"FIND[ {BALL} ]; DO[ act-1 -lex- find; -obj-> obj-2 ]"
+    assert robot.do(find) == [Travel(0.2, 1.0)]
+
+
 def test_a_prohibition_sees_what_is_looked_for(robot: Any) -> None:
     """While it looks for a person it grabs none."""
     robot.teach(
