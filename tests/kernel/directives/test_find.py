@@ -2,6 +2,8 @@
 
 from typing import Any
 
+import pytest
+
 from kernel.action.call import MoveGrip, Travel
 from kernel.memory.meaning import Choice
 from kernel.memory.reply import AskWhich
@@ -344,14 +346,10 @@ def test_the_one_mentioned_last_needs_no_asking(robot: Any) -> None:
     assert "blue" in words(robot)[0]
 
 
-def test_one_of_many_needs_no_asking(robot: Any) -> None:
+@pytest.mark.parametrize("ref", ["", " -ref- any"])
+def test_one_of_many_needs_no_asking(robot: Any, ref: str) -> None:
     two_blocks(robot)
-    assert robot.do(THE_BLOCK.replace(" -ref- the", "")) == [MoveGrip(0.0)]
-
-
-def test_what_cannot_be_told_apart_is_not_asked_about(robot: Any) -> None:
-    two_blocks(robot, False, "red", "red")
-    assert robot.do(THE_BLOCK) == [MoveGrip(0.0)]
+    assert robot.do(THE_BLOCK.replace(" -ref- the", ref)) == [MoveGrip(0.0)]
 
 
 def test_after_the_answer_that_one_is_meant(robot: Any) -> None:
