@@ -245,7 +245,8 @@ def _reaction(draft: Draft) -> Meaning:
 
 def _trust(draft: Draft) -> Meaning:
     act = draft.add("act") if draft.maybe() else draft.action(pattern=True)
-    boss = draft.add("obj", draft.one_of(*NAMES)) if draft.maybe() else draft.thing("a", deep=False)
+    named = bool(draft.names) and draft.maybe()  # not Mary if the act is about her
+    boss = draft.add("obj", draft.one_of(*draft.names)) if named else draft.thing("a", deep=False)
     draft.add("act", "tell", agt=boss, dest=draft.oneself("you"), cmd=act)
     trigger = draft.graphlet(act)
     punt = Directive("PUNT")

@@ -116,3 +116,17 @@ def test_what_cannot_be_found_out_is_not_known(robot: Any) -> None:
     )
     assert ask(robot, Question("yesno", graphlet(TALL.format("")))).verdict == "unknown"
     assert robot.reasons == []
+
+
+def test_it_is_looked_into_until_it_is_known(make_robot: Any) -> None:
+    for seed in range(4):
+        robot = make_robot(seed=seed)
+        for number in (1, 2):
+            robot.teach(
+                "trig: CHK[ hq-1 -lex- tall; -hq-> obj-2 ]; pref: 1.0; ---;"
+                f"DO[ act-7 -lex- say; -obj-> txt-8; txt-8 -str- way {number} ];"
+                "NOTE[ hq-3 -lex- tall; -hq-> obj-2 ]"
+            )
+        robot.tell("ako-1 -lex- girl; -ako-> obj-2", "obj-2 -lex- mary")
+        assert ask(robot, Question("yesno", graphlet(TALL.format("")))).verdict == "yes"
+        assert len(robot.said) == 1

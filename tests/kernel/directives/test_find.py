@@ -2,6 +2,8 @@
 
 from typing import Any
 
+import pytest
+
 from kernel.action.call import MoveGrip, Travel
 from kernel.memory.meaning import Choice
 from kernel.memory.reply import AskWhich
@@ -255,6 +257,12 @@ def test_a_search_that_was_taught_is_what_finding_does(robot: Any) -> None:
     assert robot.reasons == ["no_sense"]
 
 
+def test_it_searches_once_for_what_it_is_told_to_find(robot: Any) -> None:
+    robot.teach(looking(TURN))
+    find = f"FIND[ {BALL} ]; DO[ act-1 -lex- find; -obj-> obj-2 ]"
+    assert robot.do(find) == [Travel(0.2, 1.0)]
+
+
 def test_a_prohibition_sees_what_is_looked_for(robot: Any) -> None:
     """While it looks for a person it grabs none."""
     robot.teach(
@@ -338,14 +346,10 @@ def test_the_one_mentioned_last_needs_no_asking(robot: Any) -> None:
     assert "blue" in words(robot)[0]
 
 
-def test_one_of_many_needs_no_asking(robot: Any) -> None:
+@pytest.mark.parametrize("ref", ["", " -ref- any"])
+def test_one_of_many_needs_no_asking(robot: Any, ref: str) -> None:
     two_blocks(robot)
-    assert robot.do(THE_BLOCK.replace(" -ref- the", "")) == [MoveGrip(0.0)]
-
-
-def test_what_cannot_be_told_apart_is_not_asked_about(robot: Any) -> None:
-    two_blocks(robot, False, "red", "red")
-    assert robot.do(THE_BLOCK) == [MoveGrip(0.0)]
+    assert robot.do(THE_BLOCK.replace(" -ref- the", ref)) == [MoveGrip(0.0)]
 
 
 def test_after_the_answer_that_one_is_meant(robot: Any) -> None:
