@@ -9,6 +9,7 @@ from kernel.action.arbiter import Claim
 from kernel.action.call import Bid, Tick
 from kernel.action.trace import Record, What
 from kernel.memory.attention import Failure, Focus
+from kernel.memory.experience import Experience
 from kernel.memory.lesson import Lesson, Operator, Rule
 from kernel.memory.operators import Operators
 from kernel.memory.reply import LessonTaken, Reason, Reply
@@ -24,6 +25,7 @@ class Commons:
         lessons: in force, by number.
         pending: lessons the store has not answered for, by key, with the focus each came from.
         struck: tickets that must fail at their next turn, and why.
+        experience: what was done, and who told what.
     """
 
     memory: WorkingMemory
@@ -40,6 +42,7 @@ class Commons:
     lessons: dict[int, Lesson] = field(default_factory=dict)
     struck: dict[int, Reason] = field(default_factory=dict)
     tickets: int = 0
+    experience: Experience = field(default_factory=Experience)
 
     def next_number(self) -> int:
         """A fresh number for a ticket or a pending lesson."""

@@ -18,16 +18,19 @@ from kernel.action.step import Run
 from kernel.action.verdict import Verdict
 from kernel.attending import attend, notice
 from kernel.commons import Commons
+from kernel.imagining import suppose, transplant
 from kernel.memory.attention import ROOM, Attention, Failure, Focus
 from kernel.memory.exchange import Inputs, Outputs
+from kernel.memory.experience import Experience
 from kernel.memory.lesson import Lesson, Operator
 from kernel.memory.meaning import Heard
 from kernel.memory.operators import Operators
 from kernel.memory.reply import Failed, Halted, Refused
 from kernel.memory.settings import Settings
 from kernel.memory.working import WorkingMemory
-from kernel.net.graphlet import Sketch
+from kernel.net.graphlet import Graphlet, Sketch
 from kernel.net.node import Node, describe
+from kernel.remembering import unreached
 
 PARTS: Final = ("gripper", "lift", "fork", "wheel", "battery", "finger", "arm")
 TAKEOVERS: Final = 3  # the same reaction may pre-empt the same focus so often in TAKEOVER_S
@@ -46,7 +49,7 @@ class Mind:
     def __init__(
         self, lessons: Iterable[Lesson] = (), seed: int = 0, settings: Settings | None = None
     ) -> None:
-        for package in ("kernel.directives", "kernel.grounding"):
+        for package in ("kernel.directives", "kernel.grounding", "kernel.answering"):
             load_all(package)
         settings = settings or Settings()
         self._attention = Attention(settings.fade_s)
@@ -68,6 +71,23 @@ class Mind:
     def memory(self) -> WorkingMemory:
         """For looking, not for touching."""
         return self._commons.memory
+
+    @property
+    def experience(self) -> Experience:
+        """What was done, for looking."""
+        return self._commons.experience
+
+    def imagined(self, inputs: Inputs) -> Mind:
+        """A copy that knows and senses the same, with nothing going on: to try something out (kernel.imagining)."""
+        copy = Mind(settings=self._commons.settings)
+        copy.speaker = self.speaker
+        copy.tick(inputs)  # the senses settle before there are lessons to react with
+        transplant(self._commons, copy._commons, self.speaker)
+        return copy
+
+    def suppose(self, fact: Graphlet) -> None:
+        """Notice a fact as if it were sensed."""
+        self._begin(notice, None, suppose(self._commons.memory, fact), None)
 
     def _in_attention(self) -> list[Node]:
         return [node for focus in self._attention for node in focus.nodes]
@@ -171,6 +191,7 @@ class Mind:
         if focus.run is not None:
             focus.run.close()
         focus.run, focus.verdict = None, verdict
+        unreached(self._commons, focus, verdict)
         focus.ended_s = self._commons.tick.now_s
         self._commons.record("verdict", focus, verdict=verdict.value, text=focus.words)
         if verdict is Verdict.FAILED:

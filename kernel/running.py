@@ -9,12 +9,14 @@ from kernel.action.step import DIRECTIVES, Run
 from kernel.action.verdict import Verdict
 from kernel.commons import Commons
 from kernel.memory.attention import Failure, Focus
+from kernel.memory.experience import Occasion
 from kernel.memory.lesson import Lesson, Operator
 from kernel.memory.recall import may_assume, missing, referents
 from kernel.memory.reply import Reason
 from kernel.net.graphlet import Graphlet
 from kernel.net.match import Binding
 from kernel.net.node import MODIFIER_ROLES, Node
+from kernel.remembering import begin, remembered
 from kernel.stepping import RunningStep
 
 
@@ -25,6 +27,8 @@ class Frame:
         self, commons: Commons, focus: Focus, binding: Binding, within: tuple[Lesson, ...] = ()
     ) -> None:
         self.commons, self.focus, self.binding, self.within = commons, focus, binding, within
+        self.occasion: Occasion | None = None  # what a reaction above reacts to
+        self.deed = 0  # number of the deed that this is a step of
 
     @property
     def ordered(self) -> bool:
@@ -108,7 +112,13 @@ class Frame:
         if code is None:
             self.explain("no_way", None, directive.tag)
             return Verdict.FAILED
-        verdict = yield from code(RunningStep(self, directive))
+        step = RunningStep(self, directive)
+        run = code(step)
+        if directive.tag == "DO" and step.node is not None:
+            descent = (self.within, self.occasion, self.deed)
+            step.deed = begin(self.commons, self.focus, step.node, *descent)
+            run = remembered(self.commons, self.focus, step.deed, run)
+        verdict = yield from run
         if verdict is Verdict.PUNTED and directive.tag != "PUNT":
             # What was punted is the chain below; this one may try another way.
             return Verdict.FAILED
@@ -152,7 +162,9 @@ class Frame:
 
     def within_operator(self, binding: Binding, lesson: Lesson) -> Frame:
         """A frame for an operator's chain, one level deeper."""
-        return Frame(self.commons, self.focus, binding, (*self.within, lesson))
+        below = Frame(self.commons, self.focus, binding, (*self.within, lesson))
+        below.occasion, below.deed = self.occasion, self.deed
+        return below
 
 
 def _lone_find(play: Play) -> Directive | None:

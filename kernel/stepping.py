@@ -11,11 +11,13 @@ from kernel.action.verdict import Verdict
 from kernel.calling import act_text, call
 from kernel.memory.attention import Failure
 from kernel.memory.choice import choice_weights, in_turn
+from kernel.memory.inference import of_match
 from kernel.memory.meaning import Question
 from kernel.memory.recall import answer, is_so, known, named
 from kernel.memory.reply import Reason
 from kernel.net.match import matches
 from kernel.net.node import Node, describe
+from kernel.remembering import occasion_of
 from kernel.selecting import Chosen, Selection
 
 if TYPE_CHECKING:
@@ -30,6 +32,7 @@ class RunningStep:
     def __init__(self, frame: Frame, directive: Directive) -> None:
         self.frame, self.directive = frame, directive
         self.commons, self.focus = frame.commons, frame.focus
+        self.deed = 0  # its number, where this is a DO
         self.selection = Selection(
             self.commons, self.focus, frame.within, self.commons.settings.threshold
         )
@@ -94,6 +97,7 @@ class RunningStep:
             by=choice.lesson,
             because=tuple(describe(node) for node in concluded),
             said_before=self.focus.said,
+            steps=of_match(choice.operator.patterns, choice.binding, self.commons.lessons),
         )
         self.commons.record(
             "prohibited", self.focus, by=choice.lesson.words, text=act_text(self.node)
@@ -114,6 +118,9 @@ class RunningStep:
             return Verdict.FAILED
         before = self.focus.failure
         frame = self.frame.within_operator(advice.binding, advice.lesson)
+        frame.deed = self.deed or frame.deed
+        if advice.operator.trigger.tag == "NOTE":
+            frame.occasion = occasion_of(self.commons, advice.lesson, advice.binding)
         if advice.operator.trigger.tag == "NOTE" and self.focus.reaction is None:
             self.focus.reaction = advice.lesson
         verdict = yield from frame.chain(advice.operator.chain)

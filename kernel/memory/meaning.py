@@ -43,13 +43,15 @@ class Question:
     about: what is asked; the graphlet's main node is the predicate, or the thing described.
     wanted: name of the node asked for ("" for yesno).
     topic: "" for what is so; else what the question is about: "identity" (who am I), "doing", "did", "know_about",
-        "know_how", "taught", "learned" ...
+        "know_how", "taught", "learned", "happens", "would" ...
+    chain: what is supposed to be commanded: "what would you do if I said dance".
     """
 
     ask: Ask
     about: Graphlet
     wanted: str = ""
     topic: str = ""
+    chain: Chain | None = None
 
 
 @dataclass(frozen=True, slots=True)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Literal
 
+from kernel.memory.explanation import Explanation
 from kernel.memory.lesson import Lesson
 from kernel.memory.meaning import Question, Social
 from kernel.net.graphlet import Graphlet
@@ -106,4 +107,15 @@ class NotYet:
     what: str
 
 
-Reply = LessonTaken | FactTaken | Refused | Failed | Answer | Met | Greeted | Halted | NotYet
+Reply = (
+    LessonTaken
+    | FactTaken
+    | Refused
+    | Failed
+    | Answer
+    | Met
+    | Greeted
+    | Halted
+    | NotYet
+    | Explanation
+)

@@ -16,6 +16,7 @@ class Settings:
         least_preference: operators below it are not considered.
         sharpness: exponent on preference when choosing.
         fade_s: how long a handled focus stays in attention, s.
+        utc_offset_s: how far the clock on the wall is ahead of UTC, s: what "today" is.
     """
 
     threshold: float = 0.5
@@ -25,3 +26,4 @@ class Settings:
     least_preference: float = 0.2
     sharpness: float = 1.0
     fade_s: float = 30.0
+    utc_offset_s: float = 0.0

@@ -215,8 +215,11 @@ def _names(graphlet: Graphlet) -> list[str]:
     return names
 
 
-def describe(node: Node, limit: int = 40) -> Graphlet:
-    """What is known of a node, as a graphlet: itself, what it points to, and what modifies any of these."""
+def describe(node: Node, limit: int = 40, concluded: bool = False) -> Graphlet:
+    """What is known of a node, as a graphlet: itself, what it points to, and what modifies any of these.
+
+    concluded: with the words that rules conclude of each now.
+    """
     terms: dict[Node, Term] = {}
     pending = [node]
     while pending and len(terms) < limit:
@@ -224,9 +227,8 @@ def describe(node: Node, limit: int = 40) -> Graphlet:
         if here in terms:
             continue
         links = tuple(sorted((role, other.name) for role, other in here.links if role != "cmd"))
-        terms[here] = Term(
-            here.name, frozenset(here.lex), here.literal, "", here.negated, here.belief, links
-        )
+        words = frozenset(here.words() if concluded else here.lex)
+        terms[here] = Term(here.name, words, here.literal, "", here.negated, here.belief, links)
         pending += [other for role, other in here.links if role != "cmd"]
         pending += [p for role, p in here.into if role in MODIFIER_ROLES and p.level <= BAND_2]
     shown = {n.name for n in terms}

@@ -1,0 +1,80 @@
+"""What do you know about X: facts, conclusions, lessons. What did you learn today."""
+
+from __future__ import annotations
+
+from kernel.asking import Asking, answers
+from kernel.memory.explanation import Knowledge, Lessons
+from kernel.memory.inference import says_something
+from kernel.memory.lesson import Content, Lesson, Operator, Rule
+from kernel.memory.likeness import description
+from kernel.memory.recall import THINGS
+from kernel.net.graphlet import Graphlet
+from kernel.net.match import matches
+from kernel.net.node import BAND_1, BAND_2, REMEMBERED, describe
+
+
+@answers("know_about")
+def know_about(asking: Asking) -> Knowledge:
+    """Everything that is so of the things described, and the lessons that mention them."""
+    about, memory = asking.question.about, asking.commons.memory
+    said = description(about, about.main)
+    things = [
+        match[about.main]
+        for match in matches(said, memory.net, REMEMBERED, memory.persons(said, {}))
+        if match[about.main].kind in THINGS
+    ]
+    things = list(dict.fromkeys(things)) if said.terms else []
+    asking.focus.nodes |= dict.fromkeys(things)
+    memory.changed()
+    memory.refresh()
+    facts: list[Graphlet] = []
+    inferred: list[Graphlet] = []
+    words = about.words()
+    for thing in things:
+        for node in dict.fromkeys(other for _, other in thing.into):
+            new = says_something(node) and node.kind not in ("said", "input") and node.lex
+            if not new or node.lex <= words:
+                continue
+            (inferred if node.level in (BAND_1, BAND_2) else facts).append(describe(node))
+    return Knowledge(asking.question, tuple(facts), tuple(inferred), _lessons(asking, words))
+
+
+def _lessons(asking: Asking, words: frozenset[str]) -> tuple[Lesson, ...]:
+    """Rules and operators that speak of it by its name or kind, newest first; facts were told already."""
+    nouns = _nouns(asking.question.about) or words
+    return tuple(
+        lesson
+        for lesson in reversed(asking.lessons)
+        if not isinstance(lesson.content, Graphlet) and nouns <= _words(lesson.content)
+    )
+
+
+def _nouns(about: Graphlet) -> frozenset[str]:
+    """Its name, or its kind with the qualities that the question names."""
+    return frozenset(
+        word for term in about if term.kind in ("obj", "ako", "hq") for word in term.lex
+    )
+
+
+def _words(content: Content) -> frozenset[str]:
+    if isinstance(content, Rule):
+        parts: tuple[Graphlet, ...] = (content.condition, content.conclusion, *content.unless)
+    elif isinstance(content, Operator):
+        steps = [d.graphlet for d in content.chain.directives() if d.graphlet is not None]
+        parts = (*content.patterns, *content.unless, *steps)
+    else:
+        parts = (content,)
+    return frozenset(word for part in parts for word in part.words())
+
+
+@answers("learned")
+def learned(asking: Asking) -> Lessons:
+    """Lessons of the day on which it is asked, newest first; a day begins at midnight of the clock on the wall."""
+    offset_s = asking.asked.utc_offset_s
+    today = (asking.asked.at_s + offset_s) // 86_400
+    of_today = [
+        lesson
+        for lesson in reversed(asking.lessons)
+        if lesson.words and (lesson.at_s + offset_s) // 86_400 == today
+    ]
+    return Lessons(asking.question, tuple(of_today))
