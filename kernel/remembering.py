@@ -2,19 +2,17 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 from kernel.action.step import Run
 from kernel.action.verdict import Verdict
 from kernel.commons import Commons
 from kernel.memory.attention import Failure, Focus
 from kernel.memory.experience import Deed, Occasion, Source, Trouble
-from kernel.memory.inference import of_match
+from kernel.memory.inference import of_match, told_of
 from kernel.memory.lesson import Lesson, Operator
 from kernel.memory.meaning import Command
 from kernel.net.graphlet import Graphlet
 from kernel.net.match import Binding
-from kernel.net.node import Node, describe
+from kernel.net.node import Node
 
 
 def begin(
@@ -29,8 +27,8 @@ def begin(
     commons.memory.refresh()
     deed = Deed(
         number=0,
-        act=_by_name(describe(act)),
-        understood=_by_name(describe(act, concluded=True)),
+        act=told_of(act),
+        understood=told_of(act, concluded=True),
         focus=focus.number,
         began_s=commons.tick.now_s,
         parent=parent,
@@ -79,7 +77,7 @@ def trouble_of(focus: Focus, verdict: Verdict) -> Trouble:
     if verdict is Verdict.STOPPED:
         return Trouble("stopped")
     failure = focus.failure or Failure("no_way")
-    act = _by_name(describe(failure.act)) if failure.act is not None else None
+    act = told_of(failure.act) if failure.act is not None else None
     return Trouble(failure.reason, act, failure.detail, failure.by, failure.steps)
 
 
@@ -90,7 +88,7 @@ def occasion_of(commons: Commons, lesson: Lesson, binding: Binding) -> Occasion 
         return None
     trigger = operator.trigger.graphlet
     steps = of_match(operator.patterns, binding, commons.lessons)
-    return Occasion(lesson, _by_name(describe(binding[trigger.main])), steps)
+    return Occasion(lesson, told_of(binding[trigger.main]), steps)
 
 
 def source(focus: Focus) -> Source | None:
@@ -101,12 +99,3 @@ def source(focus: Focus) -> Source | None:
     speakers = focus.speech_act.to("agt") if focus.speech_act is not None else ()
     names = {name for speaker in speakers for name in speaker.lex} - {"me"}
     return Source(min(names, default=""), said.text, said.at_s)
-
-
-def _by_name(graphlet: Graphlet) -> Graphlet:
-    """Who is spoken of as "me" now is somebody else when it is told: a name says it for good."""
-    terms = (
-        replace(term, lex=term.lex - {"me"}) if "me" in term.lex and len(term.lex) > 1 else term
-        for term in graphlet
-    )
-    return Graphlet(tuple(terms), graphlet.main)

@@ -52,6 +52,8 @@ def provenance(asking: Asking) -> Taught:
     memory.changed()
     memory.refresh()
     start = {name: node for name, node in known.items() if name in about.mentioned}
+    if not start and (rules := _rules(asking, about)):  # "a girl is a person": nobody in particular
+        return Taught(asking.question, asking.asked, tuple(rules))
     for binding in filter(is_so, matches(about, memory.net, REMEMBERED, start, 0.0)):
         node = binding[about.main]
         if node.rule:
@@ -62,7 +64,7 @@ def provenance(asking: Asking) -> Taught:
         told = commons.experience.sources.get(node)
         noticed = told is None and node not in memory.told
         return Taught(asking.question, asking.asked, told=told, noticed=noticed)
-    return Taught(asking.question, asking.asked, tuple(_rules(asking, about)))
+    return Taught(asking.question, asking.asked)
 
 
 def fact_lesson(asking: Asking, node: Node) -> Lesson | None:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from kernel.memory.lesson import Lesson, Rule
 from kernel.net.graphlet import Graphlet
@@ -57,6 +57,19 @@ def of_match(
     return tuple(steps)
 
 
+def told_of(node: Node, concluded: bool = False) -> Graphlet:
+    """A node described for good: whoever is "me" now is somebody else when it is told, so a name says who it is.
+
+    concluded: with everything that the rules conclude now, for matching; without it as it was told, for telling.
+    """
+    graphlet = describe(node, concluded=concluded, told_only=not concluded)
+    terms = (
+        replace(term, lex=term.lex - {"me"}) if "me" in term.lex and len(term.lex) > 1 else term
+        for term in graphlet
+    )
+    return Graphlet(tuple(terms), graphlet.main)
+
+
 def _follow(node: Node, lessons: Mapping[int, Lesson], found: dict[object, Inference]) -> None:
     lesson = lessons.get(node.rule)
     if not node.rule or node in found or lesson is None:
@@ -68,8 +81,8 @@ def _follow(node: Node, lessons: Mapping[int, Lesson], found: dict[object, Infer
     for premise in premises:
         for step in _aliases(premise, condition.words() if condition else frozenset(), lessons):
             found.setdefault(step.lesson, step)
-    told = tuple(describe(p) for p in premises if not p.rule and says_something(p))
-    found[node] = Inference(describe(node), lesson, told)
+    told = tuple(told_of(p) for p in premises if not p.rule and says_something(p))
+    found[node] = Inference(told_of(node), lesson, told)
 
 
 def says_something(node: Node) -> bool:

@@ -215,10 +215,16 @@ def _names(graphlet: Graphlet) -> list[str]:
     return names
 
 
-def describe(node: Node, limit: int = 40, concluded: bool = False) -> Graphlet:
+def describe(
+    node: Node, limit: int = 40, concluded: bool = False, told_only: bool = False
+) -> Graphlet:
     """What is known of a node, as a graphlet: itself, what it points to, and what modifies any of these.
 
-    concluded: with the words that rules conclude of each now.
+    Args:
+        node: the main one.
+        limit: the most nodes to take.
+        concluded: with the words that rules conclude of each now.
+        told_only: without what modifies it by a rule's conclusion.
     """
     terms: dict[Node, Term] = {}
     pending = [node]
@@ -230,7 +236,11 @@ def describe(node: Node, limit: int = 40, concluded: bool = False) -> Graphlet:
         words = frozenset(here.words() if concluded else here.lex)
         terms[here] = Term(here.name, words, here.literal, "", here.negated, here.belief, links)
         pending += [other for role, other in here.links if role != "cmd"]
-        pending += [p for role, p in here.into if role in MODIFIER_ROLES and p.level <= BAND_2]
+        pending += [
+            p
+            for role, p in here.into
+            if role in MODIFIER_ROLES and p.level <= BAND_2 and not (told_only and p.rule)
+        ]
     shown = {n.name for n in terms}
     kept = tuple(t for t in terms.values() if all(other in shown for _, other in t.links))
     return Graphlet(kept, node.name)
