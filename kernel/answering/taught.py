@@ -6,7 +6,7 @@ from kernel.asking import Asking, answers
 from kernel.memory.experience import Source
 from kernel.memory.explanation import Taught
 from kernel.memory.inference import inferences
-from kernel.memory.lesson import Lesson, Rule
+from kernel.memory.lesson import Lesson, Operator, Rule
 from kernel.memory.likeness import grounded, words_alike
 from kernel.memory.recall import is_so
 from kernel.net.graphlet import Graphlet
@@ -25,6 +25,8 @@ def taught(asking: Asking) -> Taught:
         return _newest(asking)
     tags = ("ANTE",) if asking.main.negated else ("DO",)
     lessons = asking.about_acts(act, *tags)
+    if asking.main.negated:
+        lessons = [lesson for lesson in lessons if prohibits(lesson)]
     if not lessons and not asking.main.negated:
         ways = asking.ways_to(act)
         lessons = [lesson for lesson in ways if lesson.ident > 0]
@@ -33,6 +35,11 @@ def taught(asking: Asking) -> Taught:
             return Taught(asking.question, asking.asked, told=ordered, born=True)
         lessons = lessons or asking.about_acts(act, "NOTE", "ANTE", "POST", "ALLOW")
     return Taught(asking.question, asking.asked, tuple(lessons))
+
+
+def prohibits(lesson: Lesson) -> bool:
+    """It forbids something."""
+    return isinstance(lesson.content, Operator) and lesson.content.prohibits
 
 
 def _newest(asking: Asking) -> Taught:
