@@ -62,6 +62,14 @@ class Asking:
         return any(t.name in agents and "you" in t.lex for t in self.question.about)
 
     @property
+    def about_doing(self) -> bool:
+        """Whether the robot does something now that it knows how to do: "are you turning"; not "are you holding a cup",
+        which is no deed."""
+        plain = self.question.topic == "" and self.question.ask == "yesno"
+        act = self.act if plain and self._own_act else None
+        return act is not None and bool(self.ways_to(act))
+
+    @property
     def act(self) -> Graphlet | None:
         """The act asked about, affirmed, with whoever asks by name; None for "that"."""
         if not self.main.lex:

@@ -6,6 +6,8 @@ you to do something don't" works (Connell 2019, section 4, Permissions).
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 from kernel.action.chain import Directive
 from kernel.action.step import DIRECTIVES, Run
 from kernel.action.verdict import Verdict
@@ -113,8 +115,11 @@ def _content(mind: Listener, commons: Commons, focus: Focus, heard: Heard) -> Ru
             focus.lesson = _lesson(mind, focus, kind, content)
             return (yield from frame.directive(Directive("ADD")))
         case Question() as question:
-            if question.topic not in ("", "identity"):
-                commons.replies.append(answer(Asking(commons, focus, mind, question)))
+            asking = Asking(commons, focus, mind, question)
+            if asking.about_doing:
+                asking = replace(asking, question=replace(question, topic="doing"))
+            if asking.question.topic not in ("", "identity"):
+                commons.replies.append(answer(asking))
                 return Verdict.SUCCEEDED
             return (yield from frame.directive(Directive("ASK")))
         case Identity(name):

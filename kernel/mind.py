@@ -16,6 +16,7 @@ from kernel.action.discover import load_all
 from kernel.action.sensing import SENSES
 from kernel.action.step import Run
 from kernel.action.verdict import Verdict
+from kernel.asking import Asking, answer
 from kernel.attending import attend, notice
 from kernel.commons import Commons
 from kernel.imagining import suppose, transplant
@@ -23,9 +24,9 @@ from kernel.memory.attention import ROOM, Attention, Failure, Focus
 from kernel.memory.exchange import Inputs, Outputs
 from kernel.memory.experience import Experience
 from kernel.memory.lesson import Lesson, Operator
-from kernel.memory.meaning import Heard
+from kernel.memory.meaning import Heard, Question, Utterance
 from kernel.memory.operators import Operators
-from kernel.memory.reply import Failed, Halted, Refused
+from kernel.memory.reply import Failed, Halted, Refused, Reply
 from kernel.memory.settings import Settings
 from kernel.memory.working import WorkingMemory
 from kernel.net.graphlet import Graphlet, Sketch
@@ -76,6 +77,14 @@ class Mind:
     def experience(self) -> Experience:
         """What was done, for looking."""
         return self._commons.experience
+
+    def ask(self, question: Question, at_s: float = 0.0) -> Reply:
+        """The answer to a question about the robot itself without anybody's having asked aloud: nothing changes.
+
+        at_s: wall time of the question.
+        """
+        focus = Focus(0, Heard(Utterance("", self.speaker, at_s), question))
+        return answer(Asking(self._commons, focus, self, question))
 
     def imagined(self, inputs: Inputs) -> Mind:
         """A copy that knows and senses the same, with nothing going on: to try something out (kernel.imagining)."""

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 
 from grammars.morphology import past
+from grammars.render.deeds import VerbForm, deed
 from grammars.render.english import act_in_words, claim_in_words, definite, render
 from grammars.render.moments import moment
 from grammars.render.questions import claim
@@ -77,6 +78,11 @@ def what_was(fact: Graphlet) -> str:
 def lines(sentences: Iterable[str]) -> str:
     """Sentences one behind the other, each with a capital and a full stop."""
     return " ".join(f"{s[:1].upper()}{s[1:].rstrip('.')}." for s in sentences if s)
+
+
+def asked_act(about: Graphlet, form: VerbForm = "base") -> str:
+    """An act as it was asked about: "make a square", where `act_in_words` would know which square."""
+    return deed(Telling((about,), (), "robot"), about.main, form)
 
 
 def same_act(one: Graphlet | None, other: Graphlet | None) -> bool:

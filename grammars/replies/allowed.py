@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from grammars.render import act_in_words
-from grammars.render.reasons import forbidden, lines
+from grammars.render.reasons import asked_act, forbidden, lines
 from grammars.replies import Said, renders
 from grammars.replies.because import trouble_in_words
 from kernel.memory.explanation import Allowed
@@ -14,11 +13,9 @@ def allowed(reply: Allowed) -> Said:
     """ "No, Freddy taught me: never grab a person. Mary is a girl, and Janey taught me: a girl is a person." """
     about, trouble = reply.question.about, reply.trouble
     if trouble is None:
-        told = [f"yes, I may {act_in_words(about)}"]
+        told = [f"yes, I may {asked_act(about)}"]
     else:
         first, *more = trouble_in_words(trouble, about)
-        told = [f"{'no' if forbidden(trouble) else 'yes, but'} {first}", *more]
-        if forbidden(trouble):
-            told[0] = f"no, {first}"
+        told = [f"{'no,' if forbidden(trouble) else 'yes, but'} {first}", *more]
     shown = lines(told)
     return Said(shown, shown.replace('"', ""))

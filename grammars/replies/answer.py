@@ -32,6 +32,8 @@ def _claimed(asked: Question, holds: bool) -> str:
     match asked.topic:
         case "know_how":
             return f"I {'' if holds else 'do not '}know how to {act_in_words(asked.about)}"
+        case "doing":
+            return f"I am {'' if holds else 'not '}{act_in_words(asked.about, (), 'gerund')}"
         case "did":
             done = act_in_words(asked.about, (), "past" if holds else "base")
             return f"I {'' if holds else 'did not '}{done}"

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from grammars.render import act_in_words
 from grammars.render.reasons import (
+    asked_act,
     forbidden,
     lines,
     reasoning,
@@ -38,7 +39,9 @@ def _told(reply: Because, asked: Asked | None) -> list[str]:
             return [f"because {first}", *more]
         if main is None or not main.lex:
             return ["I did nothing"]
-        return [f"nobody told me to {_act(about)}" if denied else f"I did not {_act(about)}"]
+        return [
+            f"nobody told me to {asked_act(about)}" if denied else f"I did not {asked_act(about)}"
+        ]
     if deed.trouble is not None:
         return _failed(reply, deed, deed.trouble, denied, asked)
     if denied:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from grammars.render import act_in_words
+from grammars.render.reasons import asked_act
 from grammars.replies import Said, both, renders
 from kernel.memory.explanation import Counted
 
@@ -13,6 +13,6 @@ _TIMES = {1: "once", 2: "twice"}
 def counted(reply: Counted) -> Said:
     """ "I turned left twice." """
     if not reply.times:
-        return both(f"I did not {act_in_words(reply.question.about)}")
+        return both(f"I did not {asked_act(reply.question.about)}")
     times = _TIMES.get(reply.times, f"{reply.times} times")
-    return both(f"I {act_in_words(reply.question.about, (), 'past')} {times}")
+    return both(f"I {asked_act(reply.question.about, 'past')} {times}")

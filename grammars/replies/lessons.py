@@ -5,8 +5,7 @@ from __future__ import annotations
 from itertools import groupby
 from typing import Final
 
-from grammars.render import act_in_words
-from grammars.render.reasons import exact_words, lines, teacher
+from grammars.render.reasons import asked_act, exact_words, lines, teacher
 from grammars.replies import Said, renders
 from kernel.memory.explanation import Lessons
 from kernel.memory.lesson import Lesson
@@ -45,5 +44,5 @@ def _none(question: Question | None) -> str:
     if question is None or question.topic in _NONE:
         return _NONE[question.topic if question else "learned"]
     if question.topic == "know_how" and any(term.lex for term in question.about):
-        return f"I don't know how to {act_in_words(question.about)}"
+        return f"I don't know how to {asked_act(question.about)}"
     return "I don't know"

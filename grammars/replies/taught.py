@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from grammars.render import act_in_words, claim_in_words
-from grammars.render.reasons import lines, reasoning, taught, told
+from grammars.render import claim_in_words
+from grammars.render.reasons import asked_act, lines, reasoning, taught, told
 from grammars.replies import Said, renders
 from kernel.memory.explanation import Taught
 from kernel.net.graphlet import Term
@@ -33,10 +33,10 @@ def _told(reply: Taught) -> list[str]:
     about = reply.question.about
     main = next((term for term in about if term.name == about.main), Term(about.main))
     if reply.born:
-        return [f"I was born knowing how to {act_in_words(about)}"]
+        return [f"I was born knowing how to {asked_act(about)}"]
     if main.kind != "act" or any(role == "agt" for role, _ in main.links):
         return [f"nobody told me that {claim_in_words(about)}"]
     if not main.lex:
         return ["nobody taught me anything"]
     denied = "not " if main.negated else ""
-    return [f"nobody taught me {denied}to {act_in_words(about)}"]
+    return [f"nobody taught me {denied}to {asked_act(about)}"]

@@ -17,6 +17,13 @@ def doing(asking: Asking) -> Answer:
     return Answer(asking.question, "found" if acts else "unknown", tuple(acts[::-1]))
 
 
+@answers("doing", "yesno")
+def is_doing(asking: Asking) -> Answer:
+    """Whether such a deed is going on: "are you turning"."""
+    going_on = any(deed.going_on for deed in asking.deeds())
+    return Answer(asking.question, "yes" if going_on else "no")
+
+
 @answers("did", "what", "how")
 def did_what(asking: Asking) -> Reply:
     """The newest whole deed that has ended, or why it came to nothing."""

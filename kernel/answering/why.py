@@ -2,11 +2,15 @@
 
 from __future__ import annotations
 
+from typing import Final
+
 from kernel.answering.taught import provenance
 from kernel.asking import Asking, answers
 from kernel.memory.experience import Deed
 from kernel.memory.explanation import Because
 from kernel.memory.reply import Reply
+
+STOPPING: Final = frozenset(("stop", "halt"))
 
 
 @answers("did", "why")
@@ -20,6 +24,10 @@ def why(asking: Asking) -> Reply:
         return provenance(asking)
     denied = asking.main.negated
     found = list(asking.deeds())
+    if not found and asking.main.lex & STOPPING:  # stopping is no deed: it ends one
+        experience = asking.commons.experience
+        found = [d for d in experience if d.trouble is not None and d.trouble.reason == "stopped"]
+        found = [deed for deed in found if experience.is_whole(deed)]
     going_on = [deed for deed in found if deed.going_on]
     if denied and asking.act is None:
         found = [deed for deed in found if deed.trouble is not None]
