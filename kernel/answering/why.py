@@ -10,6 +10,7 @@ from kernel.memory.experience import Deed
 from kernel.memory.explanation import Because
 from kernel.memory.reply import Reply
 
+STANDING: Final = frozenset(("prohibited", "no_way", "no_sense"))  # reasons that need no attempt
 STOPPING: Final = frozenset(("stop", "halt"))
 
 
@@ -27,7 +28,7 @@ def why(asking: Asking) -> Reply:
     if not found and asking.main.lex & STOPPING:  # stopping is no deed: it ends one
         experience = asking.commons.experience
         found = [d for d in experience if d.trouble is not None and d.trouble.reason == "stopped"]
-        found = [deed for deed in found if experience.is_whole(deed)]
+        found = [d for d in found if experience.is_whole(d) and d.ended_s != d.began_s]
     going_on = [deed for deed in found if deed.going_on]
     if denied and asking.act is None:
         found = [deed for deed in found if deed.trouble is not None]
@@ -47,5 +48,7 @@ def _never(asking: Asking, denied: bool) -> Because:
     act = asking.act
     if act is None or not denied:
         return Because(asking.question, asking.asked)
-    imagined = asking.imagine(asking.command(act))
-    return Because(asking.question, asking.asked, trouble=imagined.trouble)
+    trouble = asking.imagine(asking.command(act)).trouble
+    if trouble is not None and trouble.reason not in STANDING:
+        trouble = None
+    return Because(asking.question, asking.asked, trouble=trouble)

@@ -1,0 +1,72 @@
+"""What do you know about X; what did you learn today."""
+
+from kernel.memory.explanation import Knowledge, Lessons
+from tests.kernel.answering.conftest import DANCE, NEVER_GRAB, Questioned
+
+BLOCK = "obj-2 -ref- the; ako-3 -lex- block; -ako-> obj-2"
+RED_BLOCK = f"{BLOCK}; hq-4 -lex- red; -hq-> obj-2"
+HEAVY = "hq-1 -lex- heavy; -hq-> obj-2"
+
+
+def known(robot: Questioned, about: str) -> Knowledge:
+    reply = robot.asked("what", about, "know_about")
+    assert isinstance(reply, Knowledge)
+    return reply
+
+
+def learned(robot: Questioned) -> list[str]:
+    reply = robot.asked("what", "act-1 -lex- learn", "learned")
+    assert isinstance(reply, Lessons)
+    return [lesson.words for lesson in reply.lessons]
+
+
+def test_what_was_told_of_a_thing_and_nothing_that_the_question_says_itself(
+    robot: Questioned,
+) -> None:
+    robot.told("janey", "the red block is heavy", HEAVY, RED_BLOCK)
+    found = known(robot, RED_BLOCK)
+    assert [fact.term(fact.main).lex for fact in found.facts] == [{"heavy"}]
+    assert found.inferred == ()
+
+
+def test_another_thing_of_the_kind_is_another(robot: Questioned) -> None:
+    robot.told("janey", "the red block is heavy", HEAVY, RED_BLOCK)
+    assert known(robot, RED_BLOCK.replace("red", "blue")).facts == ()
+    assert known(robot, "obj-1 -lex- mary").facts == ()
+
+
+def test_what_follows_is_kept_apart(robot: Questioned) -> None:
+    robot.rule("janey", "girl", "person")
+    robot.told_kind("rick", "mary", "girl")
+    found = known(robot, "obj-1 -lex- mary")
+    assert [fact.term(fact.main).lex for fact in found.facts] == [{"girl"}]
+    assert [fact.term(fact.main).lex for fact in found.inferred] == [{"person"}]
+
+
+def test_lessons_that_speak_of_it(robot: Questioned) -> None:
+    robot.taught("freddy", "never grab a person", NEVER_GRAB, "prohibition")
+    robot.taught("freddy", "to dance ...", DANCE)
+    persons = "obj-2 -ref- any; ako-1 -lex- person; -ako-> obj-2"
+    assert [lesson.words for lesson in known(robot, persons).lessons] == ["never grab a person"]
+    assert known(robot, persons.replace("person", "dog")).lessons == ()
+
+
+def test_lessons_of_today_newest_first(robot: Questioned) -> None:
+    assert learned(robot) == []
+    robot.taught("freddy", "yesterday's", DANCE)
+    robot.wall_s += 86_400
+    assert learned(robot) == []
+    robot.taught("freddy", "never grab a person", NEVER_GRAB, "prohibition")
+    robot.told_kind("rick", "mary", "girl")
+    assert learned(robot) == ["mary is a girl", "never grab a person"]
+
+
+def test_the_day_is_that_of_the_clock_on_the_wall() -> None:
+    from kernel.memory.settings import Settings
+
+    for offset_s, same_day in ((0.0, False), (3600.0 * 5, True)):
+        robot = Questioned(settings=Settings(utc_offset_s=offset_s))
+        robot.wall_s = 86_400 * 20_000 - 120  # two minutes before midnight, UTC
+        robot.taught("freddy", "to dance ...", DANCE)
+        robot.wall_s += 3600
+        assert bool(learned(robot)) is same_day
