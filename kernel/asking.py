@@ -14,7 +14,7 @@ from kernel.memory.attention import Focus
 from kernel.memory.experience import Deed
 from kernel.memory.explanation import Asked, Lessons
 from kernel.memory.lesson import Lesson, Operator
-from kernel.memory.likeness import affirmed, description, grounded, is_like
+from kernel.memory.likeness import affirmed, description, grounded, is_like, verb
 from kernel.memory.meaning import Question
 from kernel.memory.reply import Reply
 from kernel.net.graphlet import Graphlet, Term
@@ -126,12 +126,15 @@ class Asking:
     def about_acts(self, act: Graphlet, *tags: str) -> list[Lesson]:
         """Taught operators on such acts, newest first, whatever else they ask for."""
         found = []
+        called = verb(act)
         for lesson in self.lessons:
             operator = lesson.content
             if not isinstance(operator, Operator) or operator.trigger.tag not in tags:
                 continue
             trigger = operator.trigger.graphlet
-            if trigger is not None and (is_like(act, trigger) or _fits(trigger, act)):
+            if trigger is None or called.isdisjoint(verb(trigger)):
+                continue
+            if is_like(act, trigger) or is_like(trigger, act):
                 found.append(lesson)
         return found[::-1]
 
@@ -168,13 +171,6 @@ def _is_person(act: Graphlet, name: str) -> bool:
     """The robot, the speaker, or quoted text: never looked up."""
     term = next((t for t in act if t.name == name), None)
     return term is not None and (bool(term.lex & {"you", "me"}) or term.literal is not None)
-
-
-def _fits(trigger: Graphlet, act: Graphlet) -> bool:
-    """The trigger without what it says of persons giving orders fits the act."""
-    if not any(term.lex for term in trigger if term.name == trigger.main):
-        return False
-    return is_like(trigger, act)
 
 
 Answering = Callable[[Asking], Reply]

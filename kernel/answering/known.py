@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable, Iterator
+
 from kernel.asking import Asking, answers
 from kernel.memory.explanation import Knowledge, Lessons
 from kernel.memory.inference import says_something
-from kernel.memory.lesson import Content, Lesson, Operator, Rule
+from kernel.memory.lesson import Lesson, Operator, Rule
 from kernel.memory.likeness import description
 from kernel.memory.recall import THINGS
-from kernel.net.graphlet import Graphlet
+from kernel.net.graphlet import Graphlet, Term
 from kernel.net.match import matches
 from kernel.net.node import BAND_1, BAND_2, REMEMBERED, describe
 
@@ -45,26 +47,25 @@ def _lessons(asking: Asking, words: frozenset[str]) -> tuple[Lesson, ...]:
     return tuple(
         lesson
         for lesson in reversed(asking.lessons)
-        if not isinstance(lesson.content, Graphlet) and nouns <= _words(lesson.content)
+        if not isinstance(lesson.content, Graphlet)
+        and all(any(noun in term.lex for term in _terms(lesson.content)) for noun in nouns)
     )
 
 
 def _nouns(about: Graphlet) -> frozenset[str]:
     """Its name, or its kind with the qualities that the question names."""
-    return frozenset(
-        word for term in about if term.kind in ("obj", "ako", "hq") for word in term.lex
-    )
+    kinds = ("obj", "ako", "hq")
+    return frozenset(word for term in about if term.kind in kinds for word in term.lex)
 
 
-def _words(content: Content) -> frozenset[str]:
+def _terms(content: Rule | Operator) -> Iterator[Term]:
+    """Every term of a rule or an operator."""
     if isinstance(content, Rule):
-        parts: tuple[Graphlet, ...] = (content.condition, content.conclusion, *content.unless)
-    elif isinstance(content, Operator):
-        steps = [d.graphlet for d in content.chain.directives() if d.graphlet is not None]
-        parts = (*content.patterns, *content.unless, *steps)
+        parts: Iterable[Graphlet] = (content.condition, content.conclusion, *content.unless)
     else:
-        parts = (content,)
-    return frozenset(word for part in parts for word in part.words())
+        steps = (d.graphlet for d in content.chain.directives() if d.graphlet is not None)
+        parts = (*content.patterns, *content.unless, *steps)
+    return (term for part in parts for term in part.terms)
 
 
 @answers("learned")

@@ -37,16 +37,18 @@ def is_like(asked: Graphlet, done: Graphlet) -> bool:
 
     Polarity, who acts and pronouns are not looked at; an act without a word is any act.
     """
-    pattern, other = _plain(asked), _plain(done)
-    if not _verb(pattern) <= _verb(other):
+    if not verb(asked) <= verb(done):
         return False
+    pattern, other = _plain(asked), _plain(done)
     net = Net()
     bound = instantiate(net, other, {})
     return holds(pattern, net, WORKING, {pattern.main: bound[other.main]}, 0.0)
 
 
-def _verb(act: Graphlet) -> frozenset[str]:
-    return next((term.lex for term in act if term.name == act.main), frozenset())
+def verb(act: Graphlet) -> frozenset[str]:
+    """What an act is called, by the word that stands for its like; empty for any act."""
+    lex = next((term.lex for term in act if term.name == act.main), frozenset[str]())
+    return frozenset(_ONE_FOR_ALL.get(word, word) for word in lex)
 
 
 def _plain(act: Graphlet) -> Graphlet:
