@@ -40,8 +40,9 @@ def did(asking: Asking) -> Reply:
     """Yes if it was ever done to its end; else what became of the newest attempt."""
     found = list(asking.deeds())
     deed = next((d for d in found if d.done), None) or next(iter(found), None)
-    if deed is None:
-        return Answer(asking.question, "no")
+    if deed is None:  # of what is no deed of its own ("did you see Mary") there is no record
+        act = asking.act
+        return Answer(asking.question, "no" if act is None or asking.ways_to(act) else "unknown")
     if deed.done:
         return Answer(asking.question, "yes", (deed.act,))
     return Because(asking.question, asking.asked, deed, asking.commons.experience.root(deed))

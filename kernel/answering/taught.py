@@ -8,7 +8,7 @@ from kernel.memory.explanation import Taught
 from kernel.memory.inference import inferences
 from kernel.memory.lesson import Lesson, Operator, Rule
 from kernel.memory.likeness import grounded, words_alike
-from kernel.memory.recall import is_so
+from kernel.memory.recall import THINGS, is_so
 from kernel.net.graphlet import Graphlet
 from kernel.net.match import holds, matches
 from kernel.net.node import REMEMBERED, Node
@@ -63,6 +63,8 @@ def provenance(asking: Asking) -> Taught:
         return Taught(asking.question, asking.asked, tuple(rules))
     for binding in filter(is_so, matches(about, memory.net, REMEMBERED, start, 0.0)):
         node = binding[about.main]
+        if node.kind in THINGS:  # "who told you about the block"
+            return Taught(asking.question, asking.asked, told=_told_about(asking, node))
         if node.rule:
             steps = inferences([node], commons.lessons)
             return Taught(asking.question, asking.asked, steps=steps)
@@ -84,12 +86,15 @@ def fact_lesson(asking: Asking, node: Node) -> Lesson | None:
     return None
 
 
-def source_of(asking: Asking, node: Node) -> Source | None:
-    """Who told the fact of that main node."""
-    lesson = fact_lesson(asking, node)
-    if lesson is not None:
-        return Source(lesson.teacher, lesson.words, lesson.at_s)
-    return asking.commons.experience.sources.get(node)
+def _told_about(asking: Asking, thing: Node) -> Source | None:
+    """Who told the newest fact about a thing."""
+    facts = sorted((node for _, node in thing.into), key=lambda node: -node.stamp)
+    for node in facts:
+        if (lesson := fact_lesson(asking, node)) is not None:
+            return Source(lesson.teacher, lesson.words, lesson.at_s)
+        if (told := asking.commons.experience.sources.get(node)) is not None:
+            return told
+    return None
 
 
 def _rules(asking: Asking, about: Graphlet) -> list[Lesson]:

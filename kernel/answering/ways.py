@@ -52,6 +52,8 @@ def happens(asking: Asking) -> Lessons:
         node = binding[about.main]
         facts = tuple(n for n in binding.values() if n.kind not in ("obj", "user", "self"))
         reactions = [choice.lesson for choice in asking.applicable("NOTE", node, facts)]
+        for ordered in node.to("cmd"):  # "if Rick tells you to turn left"
+            reactions += [choice.lesson for choice in asking.applicable("ANTE", ordered)]
         concluded = [n for n in asking.commons.memory.net if n.rule and n.reasons & set(facts)]
         rules = [step.lesson for step in inferences(concluded, asking.commons.lessons)]
     taught = [lesson for lesson in (*reactions, *rules) if lesson.words]

@@ -128,3 +128,9 @@ def test_when(robot: Questioned) -> None:
     assert isinstance(reply, Moment)
     assert reply.deed is not None
     assert reply.deed.wall_s == pytest.approx(ordered_s, abs=0.1)
+
+
+def test_of_what_is_no_deed_it_has_no_record(robot: Questioned) -> None:
+    see = "act-1 -lex- see; -agt-> obj-2; -obj-> obj-3; obj-2 -lex- you; obj-3 -lex- mary"
+    reply = robot.asked("yesno", see, "did")
+    assert reply.verdict == "unknown"  # type: ignore[union-attr]

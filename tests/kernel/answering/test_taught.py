@@ -99,3 +99,15 @@ def test_that_is_the_newest_thing_learned_or_told(robot: Questioned) -> None:
     told = who(robot, that).told
     assert told is not None
     assert told.teacher == "janey"
+
+
+def test_who_told_something_about_a_thing(robot: Questioned) -> None:
+    about = "obj-2 -ref- the; ako-3 -lex- block; -ako-> obj-2"
+    robot.told("janey", "the block is heavy", HEAVY, THE_BLOCK)
+    told = who(robot, about).told
+    assert told is not None
+    assert told.teacher == "janey"
+    robot.told_kind("rick", "mary", "girl")
+    told = who(robot, "obj-2 -lex- mary").told
+    assert told is not None
+    assert told.words == "mary is a girl"

@@ -106,3 +106,17 @@ def _allowed(robot: Questioned, about: str) -> bool:
     reply = robot.asked("yesno", about, "allowed")
     assert isinstance(reply, Allowed)
     return reply.trouble is None
+
+
+def test_what_happens_when_somebody_gives_an_order(robot: Questioned) -> None:
+    veto = (
+        "trig: ANTE[ act-1; tell-2 -lex- tell; -agt-> obj-3; -dest-> obj-4; -cmd-> act-1; "
+        "obj-3 -lex- rick; obj-4 -lex- you ]; pref: 1.0; ---------------; PUNT[ ]"
+    )
+    robot.taught("freddy", "don't obey rick", veto, "permission")
+    order = (
+        "act-1 -lex- tell; -agt-> obj-2; -dest-> obj-3; -cmd-> act-4; obj-2 -lex- {}; "
+        "obj-3 -lex- you; act-4 -lex- turn"
+    )
+    assert lessons(robot, "what", order.format("rick"), "happens") == ["don't obey rick"]
+    assert lessons(robot, "what", order.format("mary"), "happens") == []
