@@ -1,6 +1,9 @@
 """What do you know about X; what did you learn today."""
 
+import pytest
+
 from kernel.memory.explanation import Knowledge, Lessons
+from kernel.memory.settings import Settings
 from tests.kernel.answering.conftest import DANCE, NEVER_GRAB, Questioned
 
 BLOCK = "obj-2 -ref- the; ako-3 -lex- block; -ako-> obj-2"
@@ -61,12 +64,15 @@ def test_lessons_of_today_newest_first(robot: Questioned) -> None:
     assert learned(robot) == ["mary is a girl", "never grab a person"]
 
 
-def test_the_day_is_that_of_the_clock_on_the_wall() -> None:
-    from kernel.memory.settings import Settings
-
-    for offset_s, same_day in ((0.0, False), (3600.0 * 5, True)):
-        robot = Questioned(settings=Settings(utc_offset_s=offset_s))
-        robot.wall_s = 86_400 * 20_000 - 120  # two minutes before midnight, UTC
-        robot.taught("freddy", "to dance ...", DANCE)
-        robot.wall_s += 3600
-        assert bool(learned(robot)) is same_day
+@pytest.mark.parametrize(
+    ("from_midnight_s", "offset_h", "same_day"),
+    [(-120, 0, False), (-120, 5, True), (60, 0, True), (60, -5, True), (5 * 3600 - 900, -5, False)],
+)
+def test_the_day_is_that_of_the_clock_on_the_wall(
+    from_midnight_s: float, offset_h: float, same_day: bool
+) -> None:
+    robot = Questioned(settings=Settings(utc_offset_s=offset_h * 3600))
+    robot.wall_s = 86_400 * 20_000 + from_midnight_s - 60
+    robot.taught("freddy", "to dance ...", DANCE)
+    robot.wall_s += 3600
+    assert bool(learned(robot)) is same_day

@@ -4,6 +4,7 @@ import pytest
 
 from kernel.action.verdict import Verdict
 from kernel.memory.explanation import Because, Taught
+from kernel.memory.meaning import Question
 from tests.kernel.answering.conftest import (
     BACK_OFF,
     DANCE,
@@ -13,6 +14,7 @@ from tests.kernel.answering.conftest import (
     NEVER_GRAB,
     Questioned,
 )
+from tests.kernel.conftest import net
 
 THAT = "act-1 -ref- that"
 TURN = "act-1 -lex- turn"
@@ -185,3 +187,48 @@ def test_a_fact_has_a_source_instead(robot: Questioned) -> None:
     reply = robot.asked("why", "ako-1 -lex- person; -ako-> obj-2; obj-2 -lex- mary", "taught")
     assert isinstance(reply, Taught)
     assert [step.lesson.teacher for step in reply.steps] == ["janey"]
+
+
+def test_a_reaction_is_nobodys_order_whoever_told_the_fact(robot: Questioned) -> None:
+    react = BACK_OFF.replace("close", "near").split("; ---")[0]
+    robot.taught("mary", "to dance ...", DANCE)
+    dance = "---------------; DO[ act-4 -lex- dance ]"
+    robot.taught("freddy", "if something is very near then dance", f"{react}; {dance}", "reaction")
+    robot.told(
+        "rick",
+        "mary is very near",
+        "hq-1 -lex- near; -hq-> obj-2; deg-3 -lex- very; -deg-> hq-1",
+        "obj-2 -lex- mary",
+    )
+    reply = why(robot, TURN)
+    for deed in (reply.deed, reply.root):
+        assert deed is not None
+        assert deed.source is None
+        assert deed.occasion is not None, "steps of a reaction have its occasion"
+        assert deed.occasion.lesson.teacher == "freddy"
+    assert reply.root is not None
+    assert reply.root.act.words() == {"dance"}
+
+
+def test_why_not_is_about_what_came_to_nothing_and_why_about_the_newest(robot: Questioned) -> None:
+    robot.ordered("mary", "salute", "DO[ act-1 -lex- salute ]")
+    robot.ordered("rick", "turn left", LEFT)
+    refused, newest = why(robot, f"{THAT}; -neg- yes").deed, why(robot, THAT).deed
+    assert refused is not None
+    assert newest is not None
+    assert (refused.act.words(), newest.act.words()) == ({"salute"}, {"turn", "left"})
+
+
+def test_what_is_going_on_comes_before_what_is_newer(robot: Questioned) -> None:
+    wait = "DO[ act-1 -lex- wait; amt-2 -lex- second; -str- {}; -amt-> act-1 ]"
+    robot.command(wait.format(5), "mary")
+    robot.pass_time(0.5)
+    robot.command(wait.format("0.1"), "rick")
+    robot.pass_time(0.5)
+    robot.hear(Question("why", net("act-1 -lex- wait"), topic="did"))
+    robot.tick()
+    robot.tick()
+    (reply,) = [reply for reply in robot.replies if isinstance(reply, Because)]
+    assert reply.deed is not None
+    assert reply.deed.source is not None
+    assert reply.deed.source.teacher == "mary"

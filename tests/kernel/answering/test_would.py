@@ -138,3 +138,16 @@ def test_the_settings_hold_in_imagination() -> None:
     robot = Questioned(settings=Settings(least_preference=0.9))
     robot.taught("freddy", "to dance ...", DANCE.replace("pref: 1.0", "pref: 0.8"))
     assert would(robot, DANCING).steps == ()
+
+
+def test_whoever_asks_is_who_is_meant(robot: Questioned) -> None:
+    greet = (
+        "trig: NOTE[ hq-1 -lex- near; -hq-> obj-2; obj-2 -lex- rick ]; pref: 1.0; ---------------; "
+        "DO[ act-3 -lex- say; -obj-> txt-4; txt-4 -str- hello rick ]"
+    )
+    robot.taught("freddy", "when rick is near say hello rick", greet, "reaction")
+    near = "hq-1 -lex- near; -hq-> obj-2; obj-2 -lex- me"
+    for speaker, greeted in (("rick", True), ("mary", False)):
+        reply = robot.asked("what", near, "would", speaker)
+        assert isinstance(reply, Plan)
+        assert bool(reply.steps) is greeted

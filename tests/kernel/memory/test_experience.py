@@ -59,3 +59,5 @@ def test_who_told_what_is_bounded_and_the_last_teller_counts() -> None:
     assert len(experience.sources) == SOURCES
     assert nodes[0] not in experience.sources
     assert experience.sources[nodes[-1]].teacher == "rick"
+    experience.told(nodes[100], Source("john"))
+    assert [*experience.sources.values()][-1].teacher == "john"
