@@ -12,7 +12,7 @@ from kernel.memory.likeness import description
 from kernel.memory.recall import THINGS
 from kernel.net.graphlet import Graphlet, Term
 from kernel.net.match import matches
-from kernel.net.node import BAND_1, BAND_2, REMEMBERED, describe
+from kernel.net.node import BAND_1, BAND_2, REMEMBERED, Node, describe
 
 
 @answers("know_about")
@@ -25,7 +25,7 @@ def know_about(asking: Asking) -> Knowledge:
         for match in matches(said, memory.net, REMEMBERED, memory.persons(said, {}))
         if match[about.main].kind in THINGS
     ]
-    things = list(dict.fromkeys(things)) if said.terms else []
+    things = _meant(asking, list(dict.fromkeys(things))) if said.terms else []
     asking.focus.nodes |= dict.fromkeys(things)
     memory.changed()
     memory.refresh()
@@ -39,6 +39,13 @@ def know_about(asking: Asking) -> Knowledge:
                 continue
             (inferred if node.level in (BAND_1, BAND_2) else facts).append(describe(node))
     return Knowledge(asking.question, tuple(facts), tuple(inferred), _lessons(asking, words))
+
+
+def _meant(asking: Asking, things: list[Node]) -> list[Node]:
+    """Of several that fit, "the cup" is the one mentioned last; about "cups" none of them has anything to say."""
+    if len(things) < 2 or asking.main.lex:
+        return things
+    return [max(things, key=lambda thing: thing.stamp)] if asking.main.ref else []
 
 
 def _lessons(asking: Asking, words: frozenset[str]) -> tuple[Lesson, ...]:

@@ -38,6 +38,15 @@ def test_another_thing_of_the_kind_is_another(robot: Questioned) -> None:
     assert known(robot, "obj-1 -lex- mary").facts == ()
 
 
+def test_of_two_that_fit_the_last_one_is_meant_and_of_the_kind_neither(robot: Questioned) -> None:
+    robot.told("janey", "the red block is heavy", HEAVY, RED_BLOCK)
+    blue = RED_BLOCK.replace("red", "blue")
+    robot.told("janey", "the blue block is light", HEAVY.replace("heavy", "light"), blue)
+    the_block = known(robot, BLOCK).facts
+    assert {"blue", "light"} == {word for fact in the_block for word in fact.term(fact.main).lex}
+    assert known(robot, BLOCK.replace("obj-2 -ref- the", "obj-2")).facts == ()
+
+
 def test_what_follows_is_kept_apart(robot: Questioned) -> None:
     robot.rule("janey", "girl", "person")
     robot.told_kind("rick", "mary", "girl")
