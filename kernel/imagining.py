@@ -26,6 +26,10 @@ from kernel.net.match import Binding
 from kernel.net.node import Node
 
 TICK_S: Final = 0.1  # coarse: nobody watches
+FINE_S: Final = (
+    10.0  # so far; what lies beyond is imagined in ticks of LATER_S, so that 60 s cost 200 ticks
+)
+LATER_S: Final = 0.5
 MOST_S: Final = 60.0
 WORD_S: Final = 0.35  # as long as the silent voice takes for a word
 LEARNED: Final = 1_000_000_000  # numbers of what is learned in imagination
@@ -65,7 +69,10 @@ class Imagined:
 
 
 def imagine(mind: Thinker, what: Chain | Graphlet, body: BodyState, words: str = "") -> Imagined:
-    """Command a chain, or let a fact be noticed, in imagination; at most 60 s of it, in ticks of 0.1 s."""
+    """Command a chain, or let a fact be noticed, in imagination; at most 60 s of it.
+
+    The heartbeat waits for it: in ticks of 0.1 s, later 0.5 s, that is a few ms for most, 0.1 s for the longest.
+    """
     body = replace(body, done=frozenset(), failed={}, connected=True)
     start_s = body.at_s
     copy = mind.imagined(Inputs(start_s, body))
@@ -77,10 +84,9 @@ def imagine(mind: Thinker, what: Chain | Graphlet, body: BodyState, words: str =
         copy.suppose(what)
     speaking: dict[int, float] = {}
     outputs = Outputs(busy=True)
-    ticks = 0
-    while (outputs.busy or outputs.persist) and ticks * TICK_S < MOST_S:
-        now_s = start_s + ticks * TICK_S
-        ticks += 1
+    passed_s = whole_s = 0.0
+    while (outputs.busy or outputs.persist) and passed_s < MOST_S:
+        now_s, whole_s = start_s + passed_s, passed_s
         spoken = frozenset(ticket for ticket, until_s in speaking.items() if until_s <= now_s)
         persisted = tuple((key, LEARNED + key) for key, _ in outputs.persist)
         state = replace(forklift.state, at_s=now_s)
@@ -88,8 +94,9 @@ def imagine(mind: Thinker, what: Chain | Graphlet, body: BodyState, words: str =
         heard = ()
         speaking = {t: until_s for t, until_s in speaking.items() if t not in spoken}
         speaking |= _said(outputs.speech, now_s, speaking)
-        forklift.act(outputs.bids, TICK_S)
-    whole_s = max(0, ticks - 1) * TICK_S
+        tick_s = TICK_S if passed_s < FINE_S else LATER_S
+        forklift.act(outputs.bids, tick_s)
+        passed_s = round(passed_s + tick_s, 3)
     return _told(copy.experience, start_s, whole_s, outputs.busy)
 
 
