@@ -149,11 +149,11 @@ class Asking:
 
     # -- trying out ------------------------------------------------------------------------
 
-    def imagine(self, what: Chain | Graphlet) -> Imagined:
-        """A dry run from here."""
+    def imagine(self, what: Chain | Graphlet, speaker: str = "") -> Imagined:
+        """A dry run from here; speaker: who commands, "" for whoever asks."""
         tick = self.commons.tick
         body = replace(tick.body, at_s=tick.now_s)
-        return imagine(self.mind, what, body, self.focus.words)
+        return imagine(self.mind, what, body, speaker)
 
     def command(self, act: Graphlet) -> Chain:
         """The chain that doing the act would be: look-ups of what it names, then the act."""

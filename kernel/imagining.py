@@ -68,8 +68,10 @@ class Imagined:
     unfinished: bool
 
 
-def imagine(mind: Thinker, what: Chain | Graphlet, body: BodyState, words: str = "") -> Imagined:
+def imagine(mind: Thinker, what: Chain | Graphlet, body: BodyState, speaker: str = "") -> Imagined:
     """Command a chain, or let a fact be noticed, in imagination; at most 60 s of it.
+
+    speaker: who commands; "" for whoever is speaking now.
 
     The heartbeat waits for it: in ticks of 0.1 s, later 0.5 s, that is a few ms for most, 0.1 s for the longest.
     """
@@ -79,7 +81,7 @@ def imagine(mind: Thinker, what: Chain | Graphlet, body: BodyState, words: str =
     forklift = Kinematic(body)
     heard: tuple[Heard, ...] = ()
     if isinstance(what, Chain):
-        heard = (Heard(Utterance(words, mind.speaker), Command(what)),)
+        heard = (Heard(Utterance("", speaker or mind.speaker), Command(what)),)
     else:
         copy.suppose(what)
     speaking: dict[int, float] = {}

@@ -151,3 +151,17 @@ def test_whoever_asks_is_who_is_meant(robot: Questioned) -> None:
         reply = robot.asked("what", near, "would", speaker)
         assert isinstance(reply, Plan)
         assert bool(reply.steps) is greeted
+
+
+def test_an_order_of_somebody_elses(robot: Questioned) -> None:
+    veto = (
+        "trig: ANTE[ act-1; tell-2 -lex- tell; -agt-> obj-3; -dest-> obj-4; -cmd-> act-1; obj-3 -lex- rick; "
+        "obj-4 -lex- you ]; pref: 1.0; ---------------; PUNT[ ]"
+    )
+    robot.taught("freddy", "don't obey rick", veto, "permission")
+    order = (
+        "act-1 -lex- tell; -agt-> obj-2; -dest-> obj-3; -cmd-> act-4; obj-2 -lex- {}; obj-3 -lex- you; "
+        "act-4 -lex- turn; dir-5 -lex- left; -dir-> act-4"
+    )
+    for name, obeyed in (("rick", False), ("mary", True), ("me", True)):
+        assert bool(would(robot, about=order.format(name)).steps) is obeyed
