@@ -22,6 +22,11 @@ class Clock:
         """Wall time: what lessons and the log are dated with."""
         return time.time()
 
+    @staticmethod
+    def utc_offset_s() -> float:
+        """How far the clock on the wall is ahead of UTC here and now, s: what "today" is."""
+        return float(time.localtime().tm_gmtoff)
+
 
 def process_age_s() -> float:
     """Seconds since this process was started, its own start-up included (Linux: proc(5), field 22 of stat)."""

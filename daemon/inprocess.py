@@ -41,7 +41,7 @@ class Here:
         self._config = config
         self._store = Store.open(store_path(config))
         try:
-            self._parts = assemble_virtual(config, self._store, self._emit)
+            self._parts = assemble_virtual(config, self._store, self._emit, Clock.utc_offset_s())
         except BaseException:
             self._store.close()
             raise

@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import Generic, TypeVar
 
 from daemon import events
+from daemon.clock import Clock
 from daemon.config import Config, ConfigError, MindPart
 from daemon.link import Link, open_link
 from daemon.link.port import AddressError
@@ -41,7 +42,7 @@ class Parts(Generic[L]):
     loaded: Loaded
 
 
-def make_mind(settings: MindPart, history: tuple[Change, ...]) -> Mind:
+def make_mind(settings: MindPart, history: tuple[Change, ...], utc_offset_s: float = 0.0) -> Mind:
     """A fresh mind with what it is born knowing, and what the journal says it learned."""
     numbers = Settings(
         threshold=settings.belief_threshold,
@@ -52,6 +53,7 @@ def make_mind(settings: MindPart, history: tuple[Change, ...]) -> Mind:
         sharpness=settings.sharpness,
         fade_s=settings.fade_s,
         depth=settings.depth,
+        utc_offset_s=utc_offset_s,
     )
     return Mind(born(), settings.seed, numbers, history)
 
@@ -63,10 +65,11 @@ def make_cycle(
     voice: Voice,
     keeper: Keeper,
     emit: Callable[[events.Event], None],
+    utc_offset_s: float = 0.0,
 ) -> Cycle:
     """The one way a cycle is put together."""
     return Cycle(
-        mind=make_mind(config.mind, loaded.changes),
+        mind=make_mind(config.mind, loaded.changes, utc_offset_s),
         body=registry.make(body_name(config.robot.uri)),
         link=link,
         voice=voice,
@@ -92,21 +95,26 @@ def assemble(
     except NoVoiceError as error:
         raise ConfigError("configuration", "speaking.voice", str(error)) from error
     loaded = store.load(abilities())
-    cycle = make_cycle(config, loaded, link, voice, keeper, emit)
+    cycle = make_cycle(config, loaded, link, voice, keeper, emit, Clock.utc_offset_s())
     return Parts(cycle, link, loaded)
 
 
 def assemble_virtual(
-    config: Config, store: Store, emit: Callable[[events.Event], None]
+    config: Config,
+    store: Store,
+    emit: Callable[[events.Event], None],
+    utc_offset_s: float = 0.0,
 ) -> Parts[VirtualLink]:
     """For one utterance without a daemon: simulated robot, silent voice, virtual time.
+
+    utc_offset_s: of the clock on the wall, where utterances are dated by it.
 
     Raises:
         ConfigError: the scene is not there or means nothing.
     """
     link = VirtualLink(_scene(config), config.mind.seed)
     loaded = store.load(abilities())
-    cycle = make_cycle(config, loaded, link, SilentVoice(), AtOnce(store), emit)
+    cycle = make_cycle(config, loaded, link, SilentVoice(), AtOnce(store), emit, utc_offset_s)
     return Parts(cycle, link, loaded)
 
 

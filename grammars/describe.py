@@ -62,8 +62,9 @@ def _graphlets(meaning: Meaning) -> Iterator[Graphlet]:
     match meaning:
         case Fact(fact, finds):
             yield from (*finds, fact)
-        case Question(about=about):
+        case Question(about=about, chain=chain):
             yield about
+            yield from _within(chain.directives()) if chain is not None else ()
         case Control(about=about) if about is not None:
             yield about
         case Revision(chain, instead_of, of):

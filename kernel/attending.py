@@ -6,12 +6,14 @@ you to do something don't" works (Connell 2019, section 4, Permissions).
 
 from __future__ import annotations
 
-from typing import Protocol
+from dataclasses import replace
 
 from kernel.action.chain import Directive
 from kernel.action.step import DIRECTIVES, Run
 from kernel.action.verdict import Verdict
+from kernel.asking import Asking, answer
 from kernel.commons import Commons
+from kernel.imagining import Thinker
 from kernel.memory.attention import Focus
 from kernel.memory.lesson import Content, Lesson, LessonKind
 from kernel.memory.meaning import (
@@ -34,15 +36,12 @@ from kernel.memory.wondering import is_thing
 from kernel.net.graphlet import Graphlet
 from kernel.net.match import Binding
 from kernel.net.node import Node
+from kernel.remembering import source
 from kernel.reporting import commanded
 from kernel.running import Frame
 from kernel.stepping import RunningStep
 
-
-class Listener(Protocol):
-    """What a mind lets an utterance change of itself."""
-
-    speaker: str
+Listener = Thinker  # what a mind lets an utterance change of itself is its speaker
 
 
 def attend(mind: Listener, commons: Commons, focus: Focus) -> Run:
@@ -52,6 +51,7 @@ def attend(mind: Listener, commons: Commons, focus: Focus) -> Run:
         return Verdict.SUCCEEDED
     if heard.utterance.speaker:
         mind.speaker = heard.utterance.speaker.lower()
+    commons.experience.clock(heard.utterance.at_s, commons.tick.now_s)
     memory = commons.memory
     memory.person_speaking(mind.speaker)
     words = ("ask",) if isinstance(heard.meaning, Question) else ("tell", "ask")
@@ -120,8 +120,11 @@ def _content(mind: Listener, commons: Commons, focus: Focus, heard: Heard) -> Ru
             focus.lesson = _lesson(mind, focus, kind, content)
             return (yield from frame.directive(Directive("ADD")))
         case Question() as question:
-            if question.topic not in ("", "identity"):
-                commons.replies.append(NotYet(f"questions about {question.topic}"))
+            asking = Asking(commons, focus, mind, question)
+            if asking.about_doing:
+                asking = replace(asking, question=replace(question, topic="doing"))
+            if asking.question.topic not in ("", "identity"):
+                commons.replies.append(answer(asking))
                 return Verdict.SUCCEEDED
             return (yield from frame.directive(Directive("ASK")))
         case Choice(described):
@@ -136,6 +139,9 @@ def _content(mind: Listener, commons: Commons, focus: Focus, heard: Heard) -> Ru
         case Feedback(stop=stop):
             if not stop:
                 commons.replies.append(NotYet("feedback"))
+        case Control("learned"):
+            day = Question("what", Graphlet((), "act-1"), topic="learned")
+            commons.replies.append(answer(Asking(commons, focus, mind, day)))
         case Control(act):
             if act != "stop":
                 commons.replies.append(NotYet(act))
@@ -171,6 +177,8 @@ def _fact(
     frame.binding, carrying = memory.tell(fact, frame.binding)
     focus.nodes |= dict.fromkeys(frame.binding.values())
     commons.record("fact", focus, text=" ".join(sorted(fact.words())))
+    if (said := source(focus)) is not None:
+        commons.experience.told(carrying[0], said)
     if _lasts(fact, finds):
         terms = {t.name: t for g in (*finds, fact) for t in g.terms}
         whole = canonical(Graphlet(tuple(terms.values()), fact.main))

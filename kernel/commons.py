@@ -12,6 +12,7 @@ from kernel.action.trace import Record, What
 from kernel.memory.asking import Asking
 from kernel.memory.attention import Attention, Failure, Focus
 from kernel.memory.change import Change
+from kernel.memory.experience import Experience
 from kernel.memory.lesson import Lesson, Operator, Rule
 from kernel.memory.operators import Operators
 from kernel.memory.policy import Policy, Shift
@@ -34,6 +35,7 @@ class Commons:
         pending: changes the store has not answered for: the focus each came from, by key.
         struck: tickets that must fail at their next turn, and why.
         steps: directives carried out in this tick.
+        experience: what was done, and who told what.
     """
 
     memory: WorkingMemory
@@ -55,6 +57,7 @@ class Commons:
     struck: dict[int, Reason] = field(default_factory=dict)
     tickets: int = 0
     steps: int = 0
+    experience: Experience = field(default_factory=Experience)
 
     def next_number(self) -> int:
         """A fresh number for a ticket or a pending lesson."""

@@ -16,21 +16,25 @@ from kernel.action.discover import load_all
 from kernel.action.sensing import SENSES
 from kernel.action.step import Run
 from kernel.action.verdict import Verdict
+from kernel.asking import Asking, answer
 from kernel.attending import attend, notice
 from kernel.commons import Commons
 from kernel.complaining import TELLING_FAILURES, complain, explanation, failed_act
+from kernel.imagining import suppose, transplant
 from kernel.memory.attention import ROOM, Attention, Failure, Focus
 from kernel.memory.change import Change
 from kernel.memory.exchange import Inputs, Outputs
+from kernel.memory.experience import Experience
 from kernel.memory.lesson import Lesson, Operator
-from kernel.memory.meaning import Command, Control, Heard, Revision
+from kernel.memory.meaning import Command, Control, Heard, Question, Revision, Utterance
 from kernel.memory.operators import Operators
 from kernel.memory.policy import Shift
-from kernel.memory.reply import AskWhich, Failed, Halted
+from kernel.memory.reply import AskWhich, Failed, Halted, Reply
 from kernel.memory.settings import Settings
 from kernel.memory.working import WorkingMemory
-from kernel.net.graphlet import Sketch
+from kernel.net.graphlet import Graphlet, Sketch
 from kernel.net.node import Node
+from kernel.remembering import unreached
 
 PARTS: Final = ("gripper", "lift", "fork", "wheel", "battery", "finger", "arm")
 TAKEOVERS: Final = 3  # the same reaction may pre-empt the same focus so often in TAKEOVER_S
@@ -57,7 +61,7 @@ class Mind:
         settings: Settings | None = None,
         history: Iterable[Change] = (),
     ) -> None:
-        for package in ("kernel.directives", "kernel.grounding"):
+        for package in ("kernel.directives", "kernel.grounding", "kernel.answering"):
             load_all(package)
         settings = settings or Settings()
         self._attention = Attention(settings.fade_s)
@@ -99,6 +103,31 @@ class Mind:
         """It does more than wait for a person's answer."""
         asking = self._commons.asking
         return asking is None or asking.focus != focus.number
+
+    @property
+    def experience(self) -> Experience:
+        """What was done, for looking."""
+        return self._commons.experience
+
+    def ask(self, question: Question, at_s: float = 0.0) -> Reply:
+        """The answer to a question about the robot itself without anybody's having asked aloud: nothing changes.
+
+        at_s: wall time of the question.
+        """
+        focus = Focus(0, Heard(Utterance("", self.speaker, at_s), question))
+        return answer(Asking(self._commons, focus, self, question))
+
+    def imagined(self, inputs: Inputs) -> Mind:
+        """A copy that knows and senses the same, with nothing going on: to try something out (kernel.imagining)."""
+        copy = Mind(settings=self._commons.settings)
+        copy.speaker = self.speaker
+        copy.tick(inputs)  # the senses settle before there are lessons to react with
+        transplant(self._commons, copy._commons, self.speaker)
+        return copy
+
+    def suppose(self, fact: Graphlet) -> None:
+        """Notice a fact as if it were sensed."""
+        self._begin(notice, None, suppose(self._commons.memory, fact), None)
 
     def _in_attention(self) -> list[Node]:
         return [node for focus in self._attention for node in focus.nodes]
@@ -218,6 +247,7 @@ class Mind:
         if focus.run is not None:
             focus.run.close()
         focus.run, focus.verdict = None, verdict
+        unreached(self._commons, focus, verdict)
         focus.ended_s = self._commons.tick.now_s
         self._commons.record("verdict", focus, verdict=verdict.value, text=focus.words)
         if verdict in (Verdict.FAILED, Verdict.UNKNOWN):

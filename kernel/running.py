@@ -10,11 +10,13 @@ from kernel.action.verdict import Verdict
 from kernel.commons import Commons
 from kernel.finding import Options, bindings, following, not_found, recalled
 from kernel.memory.attention import Failure, Focus
+from kernel.memory.experience import Occasion
 from kernel.memory.lesson import Lesson, Operator
 from kernel.memory.reply import Reason
 from kernel.net.graphlet import Graphlet
 from kernel.net.match import Binding
 from kernel.net.node import MODIFIER_ROLES, REMEMBERED, Node
+from kernel.remembering import begin, remembered
 from kernel.stepping import RunningStep
 
 
@@ -34,6 +36,8 @@ class Frame:
         self.manners: tuple[Node, ...] = ()
         self.supposed: frozenset[Node] = frozenset()
         self.desperate = False
+        self.occasion: Occasion | None = None  # what a reaction above reacts to
+        self.deed = 0  # number of the deed that this is a step of
 
     @property
     def ordered(self) -> bool:
@@ -123,9 +127,15 @@ class Frame:
         yield from self.breathe()
         told = {"tag": directive.tag, "text": directive_text(directive), "depth": len(self.within)}
         self.commons.record("directive", self.focus, **told)
+        step = RunningStep(self, directive)
+        run = code(step)
+        if directive.tag == "DO" and step.node is not None:
+            descent = (self.within, self.occasion, self.deed)
+            step.deed = begin(self.commons, self.focus, step.node, *descent)
+            run = remembered(self.commons, self.focus, step.deed, run)
         verdict = Verdict.STOPPED
         try:
-            verdict = yield from code(RunningStep(self, directive))
+            verdict = yield from run
             if verdict is Verdict.PUNTED and directive.tag != "PUNT":
                 # What was punted is the chain below; this one may try another way.
                 verdict = Verdict.FAILED
@@ -180,7 +190,9 @@ class Frame:
 
     def within_operator(self, binding: Binding, lesson: Lesson) -> Frame:
         """A frame for an operator's chain, one level deeper."""
-        return Frame(self.commons, self.focus, binding, (*self.within, lesson))
+        below = Frame(self.commons, self.focus, binding, (*self.within, lesson))
+        below.occasion, below.deed = self.occasion, self.deed
+        return below
 
 
 def directive_text(directive: Directive) -> str:

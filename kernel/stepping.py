@@ -13,6 +13,7 @@ from kernel.hypothesis import Hypothesis, suppose
 from kernel.memory.attention import Failure
 from kernel.memory.change import Change
 from kernel.memory.choice import choice_weights, in_turn
+from kernel.memory.inference import of_match
 from kernel.memory.lesson import Lesson
 from kernel.memory.manner import inherit, left_over
 from kernel.memory.meaning import Question
@@ -21,6 +22,7 @@ from kernel.memory.reply import Answer, Reason
 from kernel.memory.wondering import asked_for, spelled_out
 from kernel.net.match import matches
 from kernel.net.node import Node, describe
+from kernel.remembering import occasion_of
 from kernel.selecting import Chosen, Selection
 
 if TYPE_CHECKING:
@@ -35,6 +37,7 @@ class RunningStep:
         self.commons, self.focus = frame.commons, frame.focus
         self.advised = False  # an operator was followed to a good end, or to a PUNT
         self.followed: list[Lesson] = []
+        self.deed = 0  # its number, where this is a DO
         self.selection = Selection(self.commons, self.focus, frame.within, frame.threshold)
         self.selection.desperate, self.selection.supposed = frame.desperate, frame.supposed
         graphlet = directive.graphlet
@@ -125,6 +128,7 @@ class RunningStep:
             by=choice.lesson,
             because=tuple(describe(node) for node in concluded),
             said_before=self.focus.said,
+            steps=of_match(choice.operator.patterns, choice.binding, self.commons.lessons),
         )
         self.commons.record(
             "prohibited", self.focus, by=choice.lesson.words, text=act_text(self.node)
@@ -151,6 +155,9 @@ class RunningStep:
         frame.desperate, frame.supposed = self.selection.desperate, self.selection.supposed
         if tag == "DO":
             frame.manners = left_over(self.node, advice.binding.values())
+        frame.deed = self.deed or frame.deed
+        if advice.operator.trigger.tag == "NOTE":
+            frame.occasion = occasion_of(self.commons, advice.lesson, advice.binding)
         if advice.operator.trigger.tag == "NOTE" and self.focus.reaction is None:
             self.focus.reaction = advice.lesson
         verdict = yield from frame.chain(advice.operator.chain)

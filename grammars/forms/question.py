@@ -29,6 +29,17 @@ EXAMPLES = (
     "how do you cha-cha",
     "who taught you to dance",
     "Who told you that Mary is a girl?",
+    "why not",
+    "why is mary a person",
+    "when did you turn left",
+    "when did you learn to dance",
+    "who told you not to grab mary",
+    "are you allowed to grab mary",
+    "what are you not allowed to do",
+    "what happens when something is close",
+    "what happens before you turn left",
+    "what would you do if I said turn left then grab the block",
+    "show me what you would do if something is very close",
 )
 # Bracket to question word and topic, for questions about the robot's own doings and lessons.
 TOPICS: Final[dict[str, tuple[Ask, str]]] = {
@@ -45,6 +56,8 @@ TOPICS: Final[dict[str, tuple[Ask, str]]] = {
     "whoami": ("who", "identity"),
     "allowed": ("yesno", "allowed"),
     "when_learned": ("when", "taught"),
+    "when_did": ("when", "did"),
+    "would": ("what", "would"),
 }
 
 
@@ -56,7 +69,11 @@ def question(alist: AList) -> Question:
     with build.drawing(pattern=True):
         if body.name in TOPICS:
             ask, topic = TOPICS[body.name]
-            return Question(ask, _about(build, body), "", topic)
+            if body.name == "why" and body.has("pred"):
+                topic = "taught"  # what is so has no doer, but a source
+            chain = body.find("chain")
+            supposed = build.chain(chain) if chain is not None else None
+            return Question(ask, _about(build, body), "", topic, supposed)
         return SO[body.name](build, body)
 
 
@@ -79,9 +96,10 @@ def _about(build: Build, body: AList) -> Graphlet:
         return build.graphlet(build.add("act", word.lower()))
     if body.name == "whoami":
         return build.graphlet(build.oneself("me"))
-    if body.name in ("busy", "did_what", "abilities"):
+    if body.name in ("busy", "did_what", "abilities", "would"):
         return build.graphlet(build.add("act", agt=build.oneself("you")))
-    return build.graphlet(build.add("act", ref="that"))
+    denied = body.name == "why" and "not" in (body.value or "").split()  # "why not"
+    return build.graphlet(build.add("act", ref="that", negated=denied))
 
 
 def _what(build: Build, body: AList) -> Question:

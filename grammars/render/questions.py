@@ -5,6 +5,7 @@ from __future__ import annotations
 from grammars.morphology import plural
 from grammars.render.clauses import Clause, clause, conditions, naming
 from grammars.render.deeds import be, deed
+from grammars.render.procedures import procedure
 from grammars.render.telling import Telling, Voice, is_predicate, linked, word
 from grammars.render.things import description, thing
 from kernel.memory.meaning import Question
@@ -17,8 +18,14 @@ def question(asked: Question, voice: Voice) -> str:
     main = asked.about.main
     you, me = ("I", "me") if voice == "robot" else ("you", "you")
     match asked.topic:
-        case "taught" if is_predicate(telling.term(main)) and telling.term(main).kind != "act":
-            return f"who told {me} that {claim(telling, asked.about)}"
+        case "taught":
+            return _taught(telling, asked, you, me)
+        case "would":
+            return _would(telling, asked, you)
+        case "allowed" if telling.term(main).lex:
+            return f"{be(you)} {you} allowed to {deed(telling, main)}"
+        case "allowed":
+            return f"what {be(you)} {you} not allowed to do"
         case "abilities":
             return f"what can {you} do"
         case "identity":
@@ -31,8 +38,10 @@ def question(asked: Question, voice: Voice) -> str:
             return f"do {you} know how to {deed(telling, main)}"
         case "know_how":
             return f"how do {you} {deed(telling, main)}"
-        case "taught":
-            return f"who taught {me} to {deed(telling, main)}"
+        case "happens" if telling.term(main).kind == "act" and not linked(
+            telling.term(main), "agt"
+        ):
+            return f"what happens before {you} {deed(telling, main)}"
         case "happens":
             return f"what happens when {conditions(telling, asked.about)}"
         case "learned":
@@ -42,11 +51,34 @@ def question(asked: Question, voice: Voice) -> str:
     return _present(telling, asked)
 
 
+def _taught(telling: Telling, asked: Question, you: str, me: str) -> str:
+    """Who said so, why it is so, when that was."""
+    main = telling.term(asked.about.main)
+    if is_predicate(main) and (main.kind != "act" or linked(main, "agt")):
+        said = claim(telling, asked.about)
+        if asked.ask == "why":
+            return f"why {said.verb} {said.subject} {said.asked}"
+        return f"who told {me} that {said}"
+    what = f"to {deed(telling, main.name)}" if main.lex else "that"
+    if asked.ask == "when":
+        return f"when did {you} learn {what}"
+    return f"who told {me} not {what}" if main.negated else f"who taught {me} {what}"
+
+
+def _would(telling: Telling, asked: Question, you: str) -> str:
+    """What is supposed, said or so."""
+    if asked.chain is None:
+        return f"what would {you} do if {conditions(telling, asked.about)}"
+    known = tuple(d.graphlet for d in asked.chain.directives() if d.graphlet)
+    steps = procedure(Telling(known, (), telling.voice), asked.chain)
+    return f"what would {you} do if {'you' if you == 'I' else 'I'} said {steps}"
+
+
 def _past(telling: Telling, asked: Question, you: str) -> str:
     wh = {"yesno": "", "howmany": "how many times "}.get(asked.ask, f"{asked.ask} ")
-    if not telling.term(asked.about.main).lex:
-        return f"{wh}did {you} just do" if asked.ask == "what" else f"{wh}did {you} do that"
     denied = "not " if telling.term(asked.about.main).negated else ""
+    if not telling.term(asked.about.main).lex:
+        return f"{wh}did {you} just do" if asked.ask == "what" else f"{wh}did {you} {denied}do that"
     return f"{wh}did {you} {denied}{deed(telling, asked.about.main)}"
 
 

@@ -33,8 +33,8 @@ _DEGREES: Final = {"little": "a little", "fully": "all the way"}
 def thing(telling: Telling, name: str, case: Case = "object") -> str:
     """The noun phrase for a node: the second time it is spoken of, a pronoun where only one thing can be meant."""
     term = telling.term(name)
-    if term.lex & {"you", "me"}:
-        return pronoun(telling, word(term), case)
+    if person := term.lex & {"you", "me"}:  # the speaker may have a name as well
+        return pronoun(telling, min(person), case)
     if name in telling.mentioned:
         phrase = _again(telling, term)
     else:

@@ -32,6 +32,8 @@ def _claimed(asked: Question, holds: bool) -> str:
     match asked.topic:
         case "know_how":
             return f"I {'' if holds else 'do not '}know how to {act_in_words(asked.about)}"
+        case "doing":
+            return f"I am {'' if holds else 'not '}{act_in_words(asked.about, (), 'gerund')}"
         case "did":
             done = act_in_words(asked.about, (), "past" if holds else "base")
             return f"I {'' if holds else 'did not '}{done}"
@@ -99,6 +101,8 @@ def _told(asked: Question, graphlet: Graphlet) -> str:
     main = Telling((graphlet,)).term(graphlet.main)
     if _is_act(graphlet) and asked.ask == "what" and asked.topic in ("doing", "did"):
         return act_in_words(graphlet, (), "gerund" if asked.topic == "doing" else "past")
+    if asked.ask == "who" and "you" in main.lex:
+        return "I am the robot"
     if asked.topic == "identity":
         return proper(min(main.lex - {"me", "you"}, default="somebody"))
     if is_predicate(main):

@@ -18,7 +18,12 @@ from kernel.net.graphlet import Term
 @renders(Failed)
 def failed(reply: Failed) -> Said:
     """ "I don't know how to salute." """
-    return both(_SENTENCES[reply.reason](reply))
+    return both(failure(reply))
+
+
+def failure(reply: Failed) -> str:
+    """The reason as a clause, to be said by itself or behind "because"."""
+    return _SENTENCES[reply.reason](reply)
 
 
 def _act(reply: Failed, form: str = "base") -> str:

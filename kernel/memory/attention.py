@@ -11,6 +11,7 @@ from typing import Final
 
 from kernel.action.step import Run
 from kernel.action.verdict import Verdict
+from kernel.memory.inference import Inference
 from kernel.memory.lesson import Lesson
 from kernel.memory.meaning import Heard
 from kernel.memory.reply import Reason, Reply
@@ -26,7 +27,7 @@ class Failure:
     """Why a focus came to nothing: the first cause that was found.
 
     Attributes:
-        by: the prohibition; because: the conclusions it rests on.
+        by: the prohibition; because: the conclusions it rests on; steps: how these were reached.
         about: what the reason is about, where that is no act.
         said_before: how often the focus had spoken by then; if it has spoken since, that was the explanation.
     """
@@ -38,6 +39,7 @@ class Failure:
     because: tuple[Graphlet, ...] = ()
     said_before: int = -1
     about: tuple[Graphlet, ...] = ()
+    steps: tuple[Inference, ...] = ()
 
 
 @dataclass(slots=True, eq=False)

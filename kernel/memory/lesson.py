@@ -44,6 +44,12 @@ class Operator:
     preference: float = 1.0
 
     @property
+    def patterns(self) -> tuple[Graphlet, ...]:
+        """What must match for it to apply: its trigger, then its enablement."""
+        trigger = self.trigger.graphlet
+        return (trigger, *self.enablement) if trigger is not None else self.enablement
+
+    @property
     def prohibits(self) -> bool:
         """An ANTE operator that ends in PUNT."""
         return self.trigger.tag == "ANTE" and any(d.tag == "PUNT" for d in self.chain.directives())

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Literal
+from typing import Final, Literal
 
 from kernel.action.chain import Chain
 from kernel.memory.lesson import LessonKind, Operator, Rule
-from kernel.net.graphlet import Graphlet
+from kernel.net.graphlet import Graphlet, Term
 
 
 @dataclass(frozen=True, slots=True)
@@ -43,13 +43,19 @@ class Question:
     about: what is asked; the graphlet's main node is the predicate, or the thing described.
     wanted: name of the node asked for ("" for yesno).
     topic: "" for what is so; else what the question is about: "identity" (who am I), "doing", "did", "know_about",
-        "know_how", "taught", "learned" ...
+        "know_how", "taught", "learned", "happens", "would" ...
+    chain: what is supposed to be commanded: "what would you do if I said dance".
     """
 
     ask: Ask
     about: Graphlet
     wanted: str = ""
     topic: str = ""
+    chain: Chain | None = None
+
+
+# "Why did you do that": about the newest deed, whatever became of it.
+WHY_THAT: Final = Question("why", Graphlet((Term("act-1", ref="that"),), "act-1"), topic="did")
 
 
 @dataclass(frozen=True, slots=True)

@@ -53,10 +53,10 @@ def write_meaning(meaning: Meaning) -> tuple[str, ...]:
             return (write(sequence(*looks, Directive("NOTE", fact))),)
         case Teach(_, content):
             return (write(content),)
-        case Question(ask, about, wanted, topic):
+        case Question(ask, about, wanted, topic, chain):
             names = canonical_names([about])
             head = f"ASK {ask} {topic}".rstrip() + (f" {names[wanted]}" if wanted else "")
-            return (head, write(about))
+            return (head, write(about), *((write(chain),) if chain else ()))
         case Feedback(good, stop):
             return ("good" if good else "bad", *(("stop",) if stop else ()))
         case Identity(name):

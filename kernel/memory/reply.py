@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Literal
 
+from kernel.memory.explanation import Explanation
 from kernel.memory.lesson import Lesson
 from kernel.memory.meaning import Question, Social
 from kernel.net.graphlet import Graphlet
@@ -148,4 +149,5 @@ Reply = (
     | Greeted
     | Halted
     | NotYet
+    | Explanation
 )

@@ -18,6 +18,7 @@ class Settings:
         fade_s: how long a handled focus stays in attention, s.
         owner: name of the person who may also forget, undo and permit what others forbade; "" for nobody.
         depth: operators within operators that are carried out; one more fails and is told.
+        utc_offset_s: how far the clock on the wall is ahead of UTC, s: what "today" is.
     """
 
     threshold: float = 0.5
@@ -29,3 +30,4 @@ class Settings:
     fade_s: float = 30.0
     owner: str = ""
     depth: int = 20
+    utc_offset_s: float = 0.0

@@ -221,9 +221,22 @@ def _names(graphlet: Graphlet) -> list[str]:
     return names
 
 
-def describe(node: Node, limit: int = 40, depth: int = BAND_2) -> Graphlet:
-    """What is known of a node, as a graphlet: itself, what it points to, and what modifies any of these within the
-    depth."""
+def describe(
+    node: Node,
+    limit: int = 40,
+    depth: int = BAND_2,
+    concluded: bool = False,
+    told_only: bool = False,
+) -> Graphlet:
+    """What is known of a node, as a graphlet: itself, what it points to, and what modifies any of these.
+
+    Args:
+        node: the main one.
+        limit: the most nodes to take.
+        depth: level up to which what modifies them is taken.
+        concluded: with the words that rules conclude of each now.
+        told_only: without what modifies it by a rule's conclusion.
+    """
     terms: dict[Node, Term] = {}
     pending = [node]
     while pending and len(terms) < limit:
@@ -231,11 +244,14 @@ def describe(node: Node, limit: int = 40, depth: int = BAND_2) -> Graphlet:
         if here in terms:
             continue
         links = tuple(sorted((role, other.name) for role, other in here.links if role != "cmd"))
-        terms[here] = Term(
-            here.name, frozenset(here.lex), here.literal, "", here.negated, here.belief, links
-        )
+        words = frozenset(here.words() if concluded else here.lex)
+        terms[here] = Term(here.name, words, here.literal, "", here.negated, here.belief, links)
         pending += [other for role, other in here.links if role != "cmd"]
-        pending += [p for role, p in here.into if role in MODIFIER_ROLES and p.level <= depth]
+        pending += [
+            p
+            for role, p in here.into
+            if role in MODIFIER_ROLES and p.level <= depth and not (told_only and p.rule)
+        ]
     shown = {n.name for n in terms}
     kept = tuple(t for t in terms.values() if all(other in shown for _, other in t.links))
     return Graphlet(kept, node.name)

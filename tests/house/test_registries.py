@@ -9,6 +9,7 @@ import pytest
 import grammars.forms
 import grammars.registry
 import grammars.replies
+import kernel.answering
 import kernel.bodies
 import kernel.bodies.registry
 import kernel.directives
@@ -17,6 +18,7 @@ from kernel.action.call import GROUNDINGS
 from kernel.action.discover import load_all
 from kernel.action.sensing import SENSES
 from kernel.action.step import DIRECTIVES
+from kernel.asking import ANSWERS
 
 
 def directives() -> Iterable[object]:
@@ -27,6 +29,11 @@ def directives() -> Iterable[object]:
 def groundings() -> Iterable[object]:
     load_all("kernel.grounding")
     return [*(found.code for found in GROUNDINGS.values()), *SENSES.values()]
+
+
+def answers() -> Iterable[object]:
+    load_all("kernel.answering")
+    return ANSWERS.values()
 
 
 def forms() -> Iterable[object]:
@@ -42,6 +49,7 @@ def replies() -> Iterable[object]:
     [
         (kernel.directives, directives),
         (kernel.grounding, groundings),
+        (kernel.answering, answers),
         (grammars.forms, forms),
         (grammars.replies, replies),
     ],

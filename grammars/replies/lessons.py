@@ -1,0 +1,48 @@
+"""Lessons that answer a question: how, what happens, what is forbidden, what was learned today."""
+
+from __future__ import annotations
+
+from itertools import groupby
+from typing import Final
+
+from grammars.render.reasons import asked_act, exact_words, lines, teacher
+from grammars.replies import Said, renders
+from kernel.memory.explanation import Lessons
+from kernel.memory.lesson import Lesson
+from kernel.memory.meaning import Question
+
+MOST: Final = 5
+_NONE: Final = {
+    "learned": "nobody taught me anything today",
+    "happens": "nothing that I was taught",
+    "allowed": "nobody has forbidden me anything",
+}
+
+
+@renders(Lessons)
+def lessons(reply: Lessons) -> Said:
+    """ "Freddy taught me: to bow lower the lift then raise the lift; never turn right. And 3 more." """
+    if not reply.lessons:
+        said = lines([_none(reply.question)])
+        return Said(said, said)
+    shown = lines(_told(reply.lessons))
+    return Said(shown, shown.replace('"', ""))
+
+
+def _told(found: tuple[Lesson, ...]) -> list[str]:
+    told = [
+        f"{who}: {'; '.join(exact_words(lesson) for lesson in group)}"
+        for who, group in groupby(found[:MOST], key=teacher)
+    ]
+    more = len(found) - MOST
+    if more > 0:
+        told[-1] += f", and {more} more"
+    return told
+
+
+def _none(question: Question | None) -> str:
+    if question is None or question.topic in _NONE:
+        return _NONE[question.topic if question else "learned"]
+    if question.topic == "know_how" and any(term.lex for term in question.about):
+        return f"I don't know how to {asked_act(question.about)}"
+    return "I don't know"

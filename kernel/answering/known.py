@@ -1,0 +1,88 @@
+"""What do you know about X: facts, conclusions, lessons. What did you learn today."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+
+from kernel.asking import Asking, answers
+from kernel.memory.explanation import Knowledge, Lessons
+from kernel.memory.inference import says_something
+from kernel.memory.lesson import Lesson, Operator, Rule
+from kernel.memory.likeness import description
+from kernel.memory.recall import THINGS
+from kernel.net.graphlet import Graphlet, Term
+from kernel.net.match import matches
+from kernel.net.node import BAND_1, BAND_2, REMEMBERED, Node, describe
+
+
+@answers("know_about")
+def know_about(asking: Asking) -> Knowledge:
+    """Everything that is so of the things described, and the lessons that mention them."""
+    about, memory = asking.question.about, asking.commons.memory
+    said = description(about, about.main)
+    things = [
+        match[about.main]
+        for match in matches(said, memory.net, REMEMBERED, memory.persons(said, {}))
+        if match[about.main].kind in THINGS
+    ]
+    things = _meant(asking, list(dict.fromkeys(things))) if said.terms else []
+    asking.focus.nodes |= dict.fromkeys(things)
+    memory.changed()
+    memory.refresh()
+    facts: list[Graphlet] = []
+    inferred: list[Graphlet] = []
+    words = about.words()
+    for thing in things:
+        for node in dict.fromkeys(other for _, other in thing.into):
+            new = says_something(node) and node.kind not in ("said", "input") and node.lex
+            if not new or node.lex <= words:
+                continue
+            (inferred if node.level in (BAND_1, BAND_2) else facts).append(describe(node))
+    return Knowledge(asking.question, tuple(facts), tuple(inferred), _lessons(asking, words))
+
+
+def _meant(asking: Asking, things: list[Node]) -> list[Node]:
+    """Of several that fit, "the cup" is the one mentioned last; about "cups" none of them has anything to say."""
+    if len(things) < 2 or asking.main.lex:
+        return things
+    return [max(things, key=lambda thing: thing.stamp)] if asking.main.ref else []
+
+
+def _lessons(asking: Asking, words: frozenset[str]) -> tuple[Lesson, ...]:
+    """Rules and operators that speak of it by its name or kind, newest first; facts were told already."""
+    nouns = _nouns(asking.question.about) or words
+    return tuple(
+        lesson
+        for lesson in reversed(asking.lessons)
+        if not isinstance(lesson.content, Graphlet)
+        and all(any(noun in term.lex for term in _terms(lesson.content)) for noun in nouns)
+    )
+
+
+def _nouns(about: Graphlet) -> frozenset[str]:
+    """Its name, or its kind with the qualities that the question names."""
+    kinds = ("obj", "ako", "hq")
+    return frozenset(word for term in about if term.kind in kinds for word in term.lex)
+
+
+def _terms(content: Rule | Operator) -> Iterator[Term]:
+    """Every term of a rule or an operator."""
+    if isinstance(content, Rule):
+        parts: Iterable[Graphlet] = (content.condition, content.conclusion, *content.unless)
+    else:
+        steps = (d.graphlet for d in content.chain.directives() if d.graphlet is not None)
+        parts = (*content.patterns, *content.unless, *steps)
+    return (term for part in parts for term in part.terms)
+
+
+@answers("learned")
+def learned(asking: Asking) -> Lessons:
+    """Lessons of the day on which it is asked, newest first; a day begins at midnight of the clock on the wall."""
+    offset_s = asking.asked.utc_offset_s
+    today = (asking.asked.at_s + offset_s) // 86_400
+    of_today = [
+        lesson
+        for lesson in reversed(asking.lessons)
+        if lesson.words and (lesson.at_s + offset_s) // 86_400 == today
+    ]
+    return Lessons(asking.question, tuple(of_today))

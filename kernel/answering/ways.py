@@ -1,0 +1,112 @@
+"""What can you do, do you know how, how do you, what happens when, are you allowed."""
+
+from __future__ import annotations
+
+from typing import Final
+
+from kernel.action.call import GROUNDINGS
+from kernel.asking import Asking, answers
+from kernel.memory.explanation import Abilities, Allowed, Lessons, Taught
+from kernel.memory.inference import inferences
+from kernel.memory.lesson import Lesson, Operator
+from kernel.memory.reply import Answer, Reply
+from kernel.net.graphlet import Graphlet
+
+# Verbs that tell what a grounding function is for, where its first one does not tell all of it.
+SHOWN: Final = {"fork_lift": ("raise", "lower"), "fork_grip": ("grab", "release")}
+UNSPOKEN: Final = ("base_stop", "see")  # nothing that one could ask the robot to show
+
+
+@answers("know_how", "yesno")
+def knows_how(asking: Asking) -> Reply:
+    """Whether any operator would be used for it."""
+    act = asking.act
+    if act is None:
+        return Lessons(asking.question)
+    return Answer(asking.question, "yes" if asking.ways_to(act) else "no")
+
+
+@answers("know_how", "how")
+def how(asking: Asking) -> Reply:
+    """The lessons that say how; or that it is a skill of the body."""
+    act = asking.act
+    ways = asking.ways_to(act) if act is not None else []
+    taught = tuple(lesson for lesson in ways if lesson.ident > 0)
+    if ways and not taught:
+        return Taught(asking.question, asking.asked, born=True)
+    return Lessons(asking.question, taught)
+
+
+@answers("happens")
+def happens(asking: Asking) -> Lessons:
+    """What is done on the occasion: reactions and rules that such a fact would set off; for an act, what comes before
+    and after it and what forbids it; for words said, what they mean."""
+    about = asking.question.about
+    if (phrase := _said(about)) is not None:
+        found = [lesson for lesson in asking.lessons if _is_called(lesson, phrase)]
+        return Lessons(asking.question, tuple(found[::-1]))
+    if asking.about_act and asking.act is not None:
+        around = asking.about_acts(asking.act, "ANTE", "POST", "ALLOW")
+        return Lessons(asking.question, tuple(around))
+    with asking.supposed(about) as binding:
+        node = binding[about.main]
+        facts = tuple(n for n in binding.values() if n.kind not in ("obj", "user", "self"))
+        reactions = [choice.lesson for choice in asking.applicable("NOTE", node, facts)]
+        for ordered in node.to("cmd"):  # "if Rick tells you to turn left"
+            reactions += [choice.lesson for choice in asking.applicable("ANTE", ordered)]
+        concluded = [n for n in asking.commons.memory.net if n.rule and n.reasons & set(facts)]
+        rules = [step.lesson for step in inferences(concluded, asking.commons.lessons)]
+    taught = [lesson for lesson in (*reactions, *rules) if lesson.words]
+    return Lessons(asking.question, tuple(dict.fromkeys(taught)))
+
+
+def _said(about: Graphlet) -> str | None:
+    """The words in "what happens when I say ..."."""
+    main = next((term for term in about if term.name == about.main), None)
+    if main is None or not ("say" in main.lex or len(about.terms) == 1):
+        return None
+    return next((term.literal for term in about if term.literal), None)
+
+
+def _is_called(lesson: Lesson, phrase: str) -> bool:
+    operator = lesson.content
+    if not isinstance(operator, Operator) or operator.trigger.graphlet is None:
+        return False
+    trigger = operator.trigger.graphlet
+    words = {word for term in trigger if term.name == trigger.main for word in term.lex}
+    return operator.trigger.tag == "DO" and phrase.lower() in words
+
+
+@answers("abilities")
+def abilities(asking: Asking) -> Abilities:
+    """Verbs of the body, and taught acts, newest first."""
+    born = [
+        verb
+        for name, grounding in sorted(GROUNDINGS.items())
+        if name not in UNSPOKEN
+        for verb in SHOWN.get(name, grounding.verbs[:1])
+    ]
+    acts = [
+        lesson.content.trigger.graphlet
+        for lesson in reversed(asking.lessons)
+        if isinstance(lesson.content, Operator) and lesson.content.trigger.tag == "DO"
+    ]
+    verbs: dict[frozenset[str], Graphlet] = {}
+    for act in acts:
+        if act is not None:
+            verbs.setdefault(act.words(), act)
+    return Abilities(tuple(born), tuple(verbs.values()))
+
+
+@answers("allowed")
+def allowed(asking: Asking) -> Reply:
+    """A dry run finds whatever would forbid it, also a step of it; without an act, the prohibitions there are."""
+    act = asking.act
+    if act is None:
+        forbidding = [
+            lesson
+            for lesson in reversed(asking.lessons)
+            if isinstance(lesson.content, Operator) and lesson.content.prohibits
+        ]
+        return Lessons(asking.question, tuple(forbidding))
+    return Allowed(asking.question, asking.imagine(asking.command(act)).trouble)
