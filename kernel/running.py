@@ -14,7 +14,7 @@ from kernel.memory.recall import may_assume, missing, referents
 from kernel.memory.reply import Reason
 from kernel.net.graphlet import Graphlet
 from kernel.net.match import Binding
-from kernel.net.node import MODIFIER_ROLES, Node
+from kernel.net.node import MODIFIER_ROLES, REMEMBERED, Node
 from kernel.stepping import RunningStep
 
 
@@ -132,7 +132,11 @@ class Frame:
     def mention(self, node: Node) -> None:
         """The node is in mind for as long as this focus, with what describes it."""
         self.commons.memory.net.touch(node)
-        described = [other for role, other in node.into if role in MODIFIER_ROLES]
+        described = [
+            other
+            for role, other in node.into
+            if role in MODIFIER_ROLES and other.level <= REMEMBERED
+        ]
         self.focus.nodes |= dict.fromkeys((node, *described))
         self.commons.memory.changed()
 

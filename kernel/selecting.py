@@ -32,6 +32,7 @@ class Selection:
         within: operators being carried out already; their advice does not apply to the carrying out of itself.
         node: the directive's main node; facts: the nodes noted, for NOTE.
         threshold: belief below which a match does not count.
+        supposed: nodes of the condition that is entertained (kernel.hypothesis): triggers see them, nothing else does.
         ruled_out: the only operators that apply are being run already.
     """
 
@@ -41,6 +42,7 @@ class Selection:
     threshold: float
     node: Node | None = None
     facts: tuple[Node, ...] = ()
+    supposed: frozenset[Node] = frozenset()
     ruled_out: bool = False
 
     def applicable(self, tag: str) -> Iterator[Chosen]:
@@ -88,7 +90,7 @@ class Selection:
         start: Binding = {}
         if operator.trigger.tag != "NOTE" and self.node is not None:
             start = {trigger.main: self.node}
-        for binding in matches(trigger, net, depth, start, threshold):
+        for binding in matches(trigger, net, depth, start, threshold, self.supposed):
             if operator.trigger.tag == "NOTE" and not self._takes_part(binding):
                 continue
             enabled = self._enabled(operator.enablement, binding, threshold)

@@ -85,7 +85,12 @@ def missing(find: Directive) -> str:
 def named(graphlet: Graphlet, memory: WorkingMemory) -> list[Node]:
     """Known things that carry a name used in the graphlet."""
     words = [word for term in graphlet.terms if term.kind in THINGS for word in sorted(term.lex)]
-    return [n for word in words for n in memory.net.with_word(word) if n.kind in THINGS]
+    return [
+        node
+        for word in words
+        for node in memory.net.with_word(word)
+        if node.kind in THINGS and node.level <= REMEMBERED
+    ]
 
 
 def is_so(binding: Binding) -> bool:

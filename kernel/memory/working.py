@@ -13,7 +13,7 @@ from kernel.memory.halo import Halo
 from kernel.memory.rules import RuleBook
 from kernel.net.graphlet import Graphlet
 from kernel.net.match import Binding, matches
-from kernel.net.node import BAND_2, REMEMBERED, WORKING, Net, Node, instantiate
+from kernel.net.node import BAND_2, HYPOTHETICAL, REMEMBERED, WORKING, Net, Node, instantiate
 
 TOLD_LIMIT: Final = 1000  # mind.md: told facts a session keeps
 
@@ -66,7 +66,7 @@ class WorkingMemory:
         seen: set[Node] = set()
         while pending:
             node = pending.pop()
-            if node in seen:
+            if node in seen or node.level == HYPOTHETICAL:
                 continue
             seen.add(node)
             node.level = WORKING
@@ -159,7 +159,7 @@ class WorkingMemory:
         for term in fact.terms:
             if term.kind == "obj" and term.lex:
                 word = min(term.lex)
-                known = [n for n in self.net.with_word(word) if n.kind in ("obj", "user")]
+                known = self._called(word)
                 named[term.name] = known[0] if known else self.net.from_term(term)
         _, carrying = self.tell(fact, named)
         for node in named.values():
@@ -204,7 +204,7 @@ class WorkingMemory:
         """Make the named person the current user; "" is somebody not identified."""
         person = self._anyone
         if name:
-            known = [n for n in self.net.with_word(name) if n.kind in ("obj", "user")]
+            known = self._called(name)
             person = known[0] if known else self.net.new("user", name)
         if person is self.user:
             return
@@ -212,6 +212,13 @@ class WorkingMemory:
         self.net.name(person, "me")
         self.user = person
         self.changed()
+
+    def _called(self, name: str) -> list[Node]:
+        return [
+            node
+            for node in self.net.with_word(name)
+            if node.kind in ("obj", "user") and node.level != HYPOTHETICAL
+        ]
 
     @property
     def depth(self) -> int:

@@ -16,6 +16,7 @@ def matches(
     depth: int,
     bound: Mapping[str, Node] | None = None,
     threshold: float = 0.5,
+    supposed: frozenset[Node] = frozenset(),
 ) -> Iterator[Binding]:
     """Every binding that extends `bound`; different names bind different nodes.
 
@@ -24,11 +25,13 @@ def matches(
         depth: level up to which nodes count (kernel.net.node: WORKING, BAND_1, BAND_2, REMEMBERED).
         bound: names that are known already.
         threshold: nodes of a lower belief do not count.
+        supposed: nodes that count whatever their level (kernel.hypothesis).
     """
     for term in graphlet.terms:
         if term.lex and not all(map(net.has_word, term.lex)):
             return
-    yield from _Matcher(net, depth, threshold).solve(list(graphlet.terms), dict(bound or {}))
+    matcher = _Matcher(net, depth, threshold, supposed)
+    yield from matcher.solve(list(graphlet.terms), dict(bound or {}))
 
 
 def holds(
@@ -43,8 +46,8 @@ def holds(
 
 
 class _Matcher:
-    def __init__(self, net: Net, depth: int, threshold: float) -> None:
-        self.net, self.depth, self.threshold = net, depth, threshold
+    def __init__(self, net: Net, depth: int, threshold: float, supposed: frozenset[Node]) -> None:
+        self.net, self.depth, self.threshold, self.supposed = net, depth, threshold, supposed
 
     def solve(self, pending: list[Term], binding: Binding) -> Iterator[Binding]:
         if not pending:
@@ -71,12 +74,15 @@ class _Matcher:
         for other in node.to(role):
             if other is target:
                 yield from self.follow(tuple(others), node, rest, binding)
-            elif target is None and other.level <= self.depth and other not in binding.values():
+            elif target is None and self.counts(other) and other not in binding.values():
                 yield from self.follow(tuple(others), node, rest, {**binding, name: other})
+
+    def counts(self, node: Node) -> bool:
+        return node.level <= self.depth or node in self.supposed
 
     def fits(self, term: Term, node: Node) -> bool:
         return (
-            node.level <= self.depth
+            self.counts(node)
             and node.negated == term.negated
             and node.belief >= self.threshold
             and (term.literal is None or node.literal == term.literal)

@@ -15,6 +15,9 @@ WORKING: Final = 0  # in working memory
 BAND_1: Final = 1  # halo, concluded from working memory
 BAND_2: Final = 2  # halo, concluded from working memory and band 1
 REMEMBERED: Final = 3  # told, but about nothing that is in mind now
+HYPOTHETICAL: Final = (
+    4  # entertained, held by nobody: only who entertains it sees it (kernel.hypothesis)
+)
 
 # Roles by which a predicate says more about what it points to: part of a description of it.
 MODIFIER_ROLES: Final = frozenset(
@@ -28,7 +31,7 @@ class Node:
     Attributes:
         lex: lexical items told; halo_lex: further ones that rules conclude now, with the band they came from.
         links, into: (role, node) from here, and from others to here.
-        level: WORKING, BAND_1, BAND_2 or REMEMBERED.
+        level: WORKING, BAND_1, BAND_2, REMEMBERED or HYPOTHETICAL.
         reasons: for a conclusion, the nodes it rests on; rule: number of the rule lesson, else 0.
         stamp: when it was last mentioned, a running count.
     """
