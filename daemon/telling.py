@@ -12,6 +12,7 @@ from kernel.action.call import BodyState
 from kernel.action.trace import Record
 from kernel.memory.reply import (
     Answer,
+    Dropped,
     FactTaken,
     Failed,
     Greeted,
@@ -21,9 +22,10 @@ from kernel.memory.reply import (
     NotYet,
     Refused,
     Reply,
+    Resumed,
 )
 
-ACKNOWLEDGES: Final = (LessonTaken, FactTaken, Met, Greeted, Halted)
+ACKNOWLEDGES: Final = (LessonTaken, FactTaken, Met, Greeted, Halted, Dropped, Resumed)
 GOES_WRONG: Final = (Refused, Failed, NotYet)
 
 

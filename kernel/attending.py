@@ -33,10 +33,11 @@ from kernel.net.graphlet import Graphlet
 from kernel.net.match import Binding
 from kernel.net.node import Node
 from kernel.running import Frame
+from kernel.steering import Steered, drop_newest, go_on, stop_doing
 from kernel.stepping import RunningStep
 
 
-class Listener(Protocol):
+class Listener(Steered, Protocol):
     """What a mind lets an utterance change of itself."""
 
     speaker: str
@@ -71,7 +72,7 @@ def _quote(commons: Commons, focus: Focus, command: Command) -> None:
     known: set[str] = set()
     for directive in command.chain.directives():
         graphlet = directive.graphlet
-        if graphlet is None:
+        if graphlet is None or directive.tag not in ("FIND", "DO"):
             continue
         quoted = graphlet.renamed({n: f"said-{n.rpartition('-')[2]}" for n in graphlet.mentioned})
         before = memory.persons(quoted, binding)
@@ -108,7 +109,7 @@ def _content(mind: Listener, commons: Commons, focus: Focus, heard: Heard) -> Ru
     frame = Frame(commons, focus, {})
     match heard.meaning:
         case Command(chain):
-            return (yield from frame.chain(chain))
+            return (yield from frame.command(chain, focus.words))
         case Fact(fact, finds):
             return (yield from _fact(mind, commons, focus, fact, finds))
         case Teach(kind, content):
@@ -129,6 +130,12 @@ def _content(mind: Listener, commons: Commons, focus: Focus, heard: Heard) -> Ru
         case Feedback(stop=stop):
             if not stop:
                 commons.replies.append(NotYet("feedback"))
+        case Control("stop", about) if about is not None:
+            stop_doing(commons, focus, about)
+        case Control("cancel"):
+            drop_newest(mind, commons, focus)
+        case Control("resume"):
+            return (yield from go_on(commons, focus))
         case Control(act):
             if act != "stop":
                 commons.replies.append(NotYet(act))

@@ -29,7 +29,7 @@ _MOTION_REASONS: Final[dict[str, Reason]] = {
 }
 
 
-def call(commons: Commons, focus: Focus, name: str, act: Node) -> Run:
+def call(commons: Commons, focus: Focus, name: str, act: Node, endless: bool = False) -> Run:
     """Run a grounding function to its end; every tick it bids, its bid is claimed for the focus."""
     grounding = GROUNDINGS.get(name)
     if grounding is None:
@@ -40,7 +40,7 @@ def call(commons: Commons, focus: Focus, name: str, act: Node) -> Run:
     told = {"function": name, "text": act_text(act), "words": act_words(act), "ticket": ticket}
     commons.record("action_started", focus, **told)
     verdict = Verdict.STOPPED
-    running = grounding.code(Call(act, commons.memory.depth, ticket), commons.tick)
+    running = grounding.code(Call(act, commons.memory.depth, ticket, endless), commons.tick)
     try:
         verdict = yield from _served(commons, focus, running, ticket)
     except KernelError as error:
@@ -53,11 +53,16 @@ def call(commons: Commons, focus: Focus, name: str, act: Node) -> Run:
 
 
 def _served(commons: Commons, focus: Focus, running: Act, ticket: int) -> Run:
-    """Pass the function's bids on; fail it when the mind has struck its ticket."""
+    """Pass the function's bids on; end it when the mind has struck its ticket."""
     spoken = False
     while True:
         if ticket in commons.struck:
-            focus.failure = Failure(commons.struck.pop(ticket))
+            why = commons.struck.pop(ticket)
+            if why == "ended":
+                return Verdict.SUCCEEDED
+            if why == "stopped":
+                return Verdict.STOPPED
+            focus.failure = Failure(why)
             return Verdict.FAILED
         try:
             bid: Bid | None = next(running)

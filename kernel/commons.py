@@ -4,16 +4,27 @@ from __future__ import annotations
 
 import random
 from dataclasses import dataclass, field, replace
+from typing import Literal
 
 from kernel.action.arbiter import Claim
 from kernel.action.call import Bid, Tick
 from kernel.action.trace import Record, What
-from kernel.memory.attention import Failure, Focus
+from kernel.memory.attention import Failure, Focus, Progress
 from kernel.memory.lesson import Lesson, Operator, Rule
 from kernel.memory.operators import Operators
 from kernel.memory.reply import LessonTaken, Reason, Reply
 from kernel.memory.settings import Settings
 from kernel.memory.working import WorkingMemory
+from kernel.net.node import Node
+
+
+@dataclass(slots=True, eq=False)
+class Doing:
+    """A DO under way: for which focus, its act; stopped: it ends at its next turn (kernel.stopping)."""
+
+    focus: Focus
+    node: Node
+    stopped: bool = False
 
 
 @dataclass(slots=True)
@@ -23,7 +34,10 @@ class Commons:
     Attributes:
         lessons: in force, by number.
         pending: lessons the store has not answered for, by key, with the focus each came from.
-        struck: tickets that must fail at their next turn, and why.
+        struck: tickets that must end at their next turn, and why: "ended" as if they were done, "stopped" for good,
+            all other reasons as failures.
+        doing: every DO under way.
+        interrupted: commands that a stop or a cancel broke off, the one to go on with last (kernel.steering).
     """
 
     memory: WorkingMemory
@@ -38,7 +52,9 @@ class Commons:
     persist: list[tuple[int, Lesson]] = field(default_factory=list)
     pending: dict[int, tuple[Focus, Lesson]] = field(default_factory=dict)
     lessons: dict[int, Lesson] = field(default_factory=dict)
-    struck: dict[int, Reason] = field(default_factory=dict)
+    struck: dict[int, Reason | Literal["ended"]] = field(default_factory=dict)
+    doing: list[Doing] = field(default_factory=list)
+    interrupted: list[Progress] = field(default_factory=list)
     tickets: int = 0
 
     def next_number(self) -> int:

@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from dataclasses import replace
 
-from kernel.action.chain import Chain, Directive, Play
+from kernel.action.chain import Chain, Directive, Loop, Part, Play
 from kernel.action.step import DIRECTIVES, Run
 from kernel.action.verdict import Verdict
 from kernel.commons import Commons
-from kernel.memory.attention import Failure, Focus
+from kernel.looping import looped
+from kernel.memory.attention import Failure, Focus, Progress
 from kernel.memory.lesson import Lesson, Operator
 from kernel.memory.recall import may_assume, missing, referents
 from kernel.memory.reply import Reason
@@ -16,6 +18,7 @@ from kernel.net.graphlet import Graphlet
 from kernel.net.match import Binding
 from kernel.net.node import MODIFIER_ROLES, REMEMBERED, Node
 from kernel.stepping import RunningStep
+from kernel.stopping import stoppable
 
 
 class Frame:
@@ -24,7 +27,15 @@ class Frame:
     def __init__(
         self, commons: Commons, focus: Focus, binding: Binding, within: tuple[Lesson, ...] = ()
     ) -> None:
+        """A frame without history.
+
+        acts: the acts it is a part of, outermost first. endless: its one step has no end of its own. made: the nodes
+        made in it, where these are to go before the focus does.
+        """
         self.commons, self.focus, self.binding, self.within = commons, focus, binding, within
+        self.acts: tuple[Node, ...] = ()
+        self.endless = False
+        self.made: list[Node] | None = None
 
     @property
     def ordered(self) -> bool:
@@ -34,12 +45,26 @@ class Frame:
             isinstance(o, Operator) and (o.trigger.tag == "NOTE" or o.prohibits) for o in operators
         )
 
-    def chain(self, chain: Chain) -> Run:
+    def command(self, chain: Chain, words: str, at: int = 0) -> Run:
+        """The chain of a command, from the play at the index on; the focus knows how far it has come."""
+        self.focus.progress = Progress(words, chain, at, self.binding)
+        rest = Chain(chain.plays[at:])
+        return (yield from self.chain(rest, followed=True))
+
+    def found(self, progress: Progress) -> Binding:
+        """What the look-ups of the command have found so far."""
+        finds = [d.graphlet for d in progress.chain.directives() if d.tag == "FIND" and d.graphlet]
+        return {g.main: self.binding[g.main] for g in finds if g.main in self.binding}
+
+    def chain(self, chain: Chain, followed: bool = False) -> Run:
         """Play after play; a failure goes back to the nearest FIND that has another binding."""
+        done = self.focus.progress if followed else None
         index = 0
         open_finds: list[tuple[int, Iterator[Binding]]] = []
         while index < len(chain.plays):
             play = chain.plays[index]
+            if done is not None:
+                self.focus.progress = replace(done, at=done.at + index, binding=self.found(done))
             if (find := _lone_find(play)) is not None:
                 later = [d for p in chain.plays[index + 1 :] for d in Chain((p,)).directives()]
                 options = self.options(find, later)
@@ -56,7 +81,7 @@ class Frame:
             if verdict.ok:
                 index += 1
                 continue
-            if verdict is Verdict.PUNTED:
+            if verdict in (Verdict.PUNTED, Verdict.STOPPED):
                 return verdict
             while open_finds:
                 index, options = open_finds[-1]
@@ -71,7 +96,11 @@ class Frame:
         return Verdict.SUCCEEDED
 
     def play(self, play: Play) -> Run:
-        """All required parts side by side; the auxiliary ones end with them."""
+        """All required parts side by side; the auxiliary ones end with them.
+
+        One that is stopped lets the others go on; then the play ends as stopped, too.
+        """
+        stopped = False
         required: list[Run] = [self.part(part) for part in play.required]
         auxiliary: list[Run] = [self.part(part) for part in play.auxiliary]
         try:
@@ -81,11 +110,13 @@ class Frame:
                         next(run)
                     except StopIteration as end:
                         required.remove(run)
-                        if not end.value.ok:
+                        if end.value is Verdict.STOPPED:
+                            stopped = True
+                        elif not end.value.ok:
                             verdict: Verdict = end.value
                             return verdict
                 if not required:
-                    return Verdict.SUCCEEDED
+                    return Verdict.STOPPED if stopped else Verdict.SUCCEEDED
                 for run in list(auxiliary):
                     try:
                         next(run)
@@ -96,10 +127,12 @@ class Frame:
             for run in (*required, *auxiliary):
                 run.close()
 
-    def part(self, part: Directive | Chain) -> Run:
-        """A directive, or a chain inside a play."""
+    def part(self, part: Part) -> Run:
+        """A directive, or a chain or loop inside a play."""
         if isinstance(part, Chain):
             return self.chain(part)
+        if isinstance(part, Loop):
+            return looped(self, part)
         return self.directive(part)
 
     def directive(self, directive: Directive) -> Run:
@@ -108,7 +141,14 @@ class Frame:
         if code is None:
             self.explain("no_way", None, directive.tag)
             return Verdict.FAILED
-        verdict = yield from code(RunningStep(self, directive))
+        step = RunningStep(self, directive)
+        run = code(step)
+        if directive.tag == "DO" and step.node is not None:
+            run = stoppable(self.commons, self.focus, step.node, run)
+        try:
+            verdict = yield from run
+        finally:
+            step.end()
         if verdict is Verdict.PUNTED and directive.tag != "PUNT":
             # What was punted is the chain below; this one may try another way.
             return Verdict.FAILED
@@ -147,7 +187,22 @@ class Frame:
         for name, node in bound.items():
             if name not in known:
                 self.focus.nodes[node] = None
+                if self.made is not None:
+                    self.made.append(node)
         return bound
+
+    def inner(self, binding: Binding, made: list[Node]) -> Frame:
+        """A frame for a round of a loop: what is made in it can be put away before the focus ends."""
+        frame = Frame(self.commons, self.focus, dict(binding), self.within)
+        frame.acts, frame.made = self.acts, made
+        return frame
+
+    def put_away(self, made: list[Node]) -> None:
+        """Forget nodes that were made in earlier rounds, but for what else is in mind."""
+        for node in made:
+            self.focus.nodes.pop(node, None)
+        self.commons.memory.forget(made)
+        made.clear()
 
     def explain(self, reason: Reason, act: Node | None, detail: str = "") -> None:
         """Note why the focus is failing; the first cause found stays."""
@@ -156,7 +211,9 @@ class Frame:
 
     def within_operator(self, binding: Binding, lesson: Lesson) -> Frame:
         """A frame for an operator's chain, one level deeper."""
-        return Frame(self.commons, self.focus, binding, (*self.within, lesson))
+        frame = Frame(self.commons, self.focus, binding, (*self.within, lesson))
+        frame.acts, frame.made = self.acts, self.made
+        return frame
 
 
 def _lone_find(play: Play) -> Directive | None:

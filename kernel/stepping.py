@@ -5,18 +5,20 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING, Final
 
-from kernel.action.chain import Directive
-from kernel.action.step import Advice, Run, StepReason
+from kernel.action.chain import Chain, Directive
+from kernel.action.step import Advice, Run, StepReason, break_off
 from kernel.action.verdict import Verdict
 from kernel.calling import act_text, call
+from kernel.hypothesis import Hypothesis, suppose
 from kernel.memory.attention import Failure
 from kernel.memory.choice import choice_weights, in_turn
 from kernel.memory.meaning import Question
-from kernel.memory.recall import answer, is_so, known, named
-from kernel.memory.reply import Reason
+from kernel.memory.recall import answer, is_now_so, is_so, known, named
+from kernel.memory.reply import Failed, Reason
 from kernel.net.match import matches
 from kernel.net.node import Node, describe
 from kernel.selecting import Chosen, Selection
+from kernel.stopping import stop_matching
 
 if TYPE_CHECKING:
     from kernel.running import Frame
@@ -28,15 +30,26 @@ class RunningStep:
     """A directive being carried out (kernel.action.step.Step)."""
 
     def __init__(self, frame: Frame, directive: Directive) -> None:
+        if (
+            directive.tag == "KEEP"
+        ):  # it may have to act without end: what it makes for that is put away
+            frame = frame.inner(frame.binding, [])
         self.frame, self.directive = frame, directive
         self.commons, self.focus = frame.commons, frame.focus
         self.selection = Selection(
             self.commons, self.focus, frame.within, self.commons.settings.threshold
         )
+        self.hypothesis: Hypothesis | None = None
+        self.complained = False
         graphlet = directive.graphlet
-        if graphlet is None or directive.tag in ("CHK", "FIND"):
+        if graphlet is None or directive.tag in ("CHK", "FIND", "WAIT", "STOP"):
             return
         memory = self.commons.memory
+        if directive.tag in ("ACH", "KEEP"):
+            self.hypothesis = suppose(graphlet, memory, frame.binding)
+            self.selection.node = self.hypothesis.node
+            self.selection.supposed = self.hypothesis.nodes
+            return
         if directive.tag == "NOTE":
             bound, self.selection.facts = memory.tell(graphlet, frame.binding)
             frame.binding = dict(bound)
@@ -48,6 +61,11 @@ class RunningStep:
         if directive.tag == "DO" and self.focus.speech_act is not None and frame.ordered:
             memory.net.link(self.focus.speech_act, "cmd", self.selection.node)
         memory.changed()
+
+    def end(self) -> None:
+        """It is over, however it ended: what it entertained is forgotten."""
+        if self.hypothesis is not None:
+            self.hypothesis.drop()
 
     @property
     def node(self) -> Node | None:
@@ -114,17 +132,58 @@ class RunningStep:
             return Verdict.FAILED
         before = self.focus.failure
         frame = self.frame.within_operator(advice.binding, advice.lesson)
+        frame.acts += (self.node,) if self.directive.tag == "DO" and self.node else ()
+        frame.endless = self.frame.endless and _is_bridge(advice.operator.chain)
         if advice.operator.trigger.tag == "NOTE" and self.focus.reaction is None:
             self.focus.reaction = advice.lesson
         verdict = yield from frame.chain(advice.operator.chain)
         if verdict.ok or advice.operator.trigger.tag in ("POST", "NOTE"):
             self.focus.failure = before
         # A veto stands even where the robot fails at what it should do instead.
-        if verdict is Verdict.FAILED and advice.operator.forbids:
+        if verdict in (Verdict.FAILED, Verdict.STOPPED) and advice.operator.forbids:
             return Verdict.PUNTED
         return verdict
 
+    def pursue(self, advice: Advice) -> Run:
+        """Run the operator's chain until the condition is so; what went wrong on the way does not count then."""
+        before = self.focus.failure
+        verdict = yield from break_off(self.run(advice), self.is_so)
+        if self.directive.tag == "KEEP" and self.frame.made is not None:
+            self.frame.put_away(self.frame.made)
+        if self.is_so():
+            self.focus.failure = before
+        return verdict
+
+    def complain(self, reason: StepReason) -> None:
+        """Say why, the first time only; the focus is not failing."""
+        self.explain(reason)
+        failure, self.focus.failure = self.focus.failure, None
+        if failure is None or self.complained:
+            return
+        self.complained = True
+        act = describe(failure.act) if failure.act is not None else None
+        self.commons.replies.append(Failed(act, failure.reason, failure.detail))
+
+    def pause(self, seconds: float) -> Run:
+        """Until the time is up."""
+        until_s = self.commons.tick.now_s + seconds
+        while self.commons.tick.now_s < until_s:
+            yield
+        return Verdict.SUCCEEDED
+
+    def halt(self) -> None:
+        """End what matches, but for what this is a step of."""
+        if self.directive.graphlet is not None:
+            stop_matching(self.commons, self.directive.graphlet, self.frame.acts)
+
     # -- what directives ask for -----------------------------------------------------------
+
+    def is_so(self) -> bool:
+        """Whether the condition holds."""
+        graphlet, threshold = self.directive.graphlet, self.selection.threshold
+        return graphlet is not None and is_now_so(
+            graphlet, self.commons.memory, self.frame.binding, threshold
+        )
 
     def truth(self) -> bool | None:
         """CHK from memory."""
@@ -154,7 +213,8 @@ class RunningStep:
         if self.node is None:
             return Verdict.FAILED
         act = next(self.node.to("arg"), self.node)
-        return (yield from call(self.commons, self.focus, min(self.node.lex), act))
+        name, endless = min(self.node.lex), self.frame.endless
+        return (yield from call(self.commons, self.focus, name, act, endless))
 
     def learn(self) -> Run:
         """Wait until the lesson is kept, or is not."""
@@ -190,3 +250,9 @@ class RunningStep:
             return
         why: Reason = "recursion" if reason == "no_way" and self.selection.ruled_out else reason
         self.frame.explain(why, self.node)
+
+
+def _is_bridge(chain: Chain) -> bool:
+    """Whether it does nothing but call a grounding function."""
+    directives = list(chain.directives())
+    return len(chain.plays) == 1 and [d.tag for d in directives] == ["FCN"]

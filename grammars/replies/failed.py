@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Final
 
-from grammars.render import act_in_words, thing_in_words
+from grammars.render import act_in_words, claim_in_words, thing_in_words
 from grammars.render.things import PRONOUNS, proper
 from grammars.replies import Said, both, renders
 from grammars.vocabulary import BORN
@@ -75,6 +75,12 @@ def _conflict(reply: Failed) -> str:
     return f"I can't do two things with my {reply.detail or 'body'} at the same time"
 
 
+def _not_achieved(reply: Failed) -> str:
+    if reply.act is None or _is_act(reply):
+        return "I don't know how to make that so"
+    return f"I could not make sure that {claim_in_words(reply.act)}"
+
+
 # What a command left out, by the name that the grounding functions give it.
 _MISSING: Final = {
     "direction": "you did not say which way to {verb}",
@@ -97,6 +103,8 @@ _SENTENCES: Final[dict[Reason, Callable[[Failed], str]]] = {
     "resource_lost": lambda r: f"I gave up {_act(r, 'gerund')} as something else kept me busy",
     "recursion": lambda r: f"I can't {_act(r)} as that would never end",
     "too_deep": lambda r: f"I can't {_act(r)} as that has too many steps within steps",
+    "runaway": lambda r: "I stopped repeating that as it took no time at all",
+    "not_achieved": _not_achieved,
     "conflict": _conflict,
     "no_room": lambda r: "I have too much on my mind, please say that again later",
     "not_stored": lambda r: f"I could not keep that{': ' + r.detail if r.detail else ''}",

@@ -138,11 +138,13 @@ class Call:
         act: the action; the whole net can be read from it.
         depth: level up to which nodes and words count.
         ticket: number of this action, for its bids.
+        endless: it is to go on until it is ended from outside: "drive until something is close" has no distance.
     """
 
     act: Node
     depth: int
     ticket: int
+    endless: bool = False
 
     @property
     def verb(self) -> str:

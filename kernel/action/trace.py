@@ -22,6 +22,7 @@ What = Literal[
     "concluded",
     "promoted",
     "stopped",
+    "halted",  # one act was stopped while others go on: data text
     "identity",
     "error",
 ]

@@ -9,12 +9,14 @@ from collections.abc import Iterator
 from dataclasses import dataclass, field
 from typing import Final
 
+from kernel.action.chain import Chain
 from kernel.action.step import Run
 from kernel.action.verdict import Verdict
 from kernel.memory.lesson import Lesson
 from kernel.memory.meaning import Heard
 from kernel.memory.reply import Reason
 from kernel.net.graphlet import Graphlet
+from kernel.net.match import Binding
 from kernel.net.node import Node
 
 ROOM: Final = 32  # foci, handled ones included
@@ -38,6 +40,23 @@ class Failure:
     said_before: int = -1
 
 
+@dataclass(frozen=True, slots=True)
+class Progress:
+    """How far a command has come.
+
+    Attributes:
+        words: the utterance it came from.
+        chain: the whole command.
+        at: index of the play that runs now.
+        binding: what its look-ups have found so far.
+    """
+
+    words: str
+    chain: Chain
+    at: int
+    binding: Binding
+
+
 @dataclass(slots=True, eq=False)
 class Focus:
     """One thing in attention.
@@ -52,6 +71,7 @@ class Focus:
         failure: why it failed, or is failing.
         reaction: the NOTE operator it followed first; lesson: what it is to learn.
         said: how often it has spoken.
+        progress: how far its command has come, None for what is no command.
         preempted: when which lesson's reaction took a resource from it, s.
     """
 
@@ -66,6 +86,7 @@ class Focus:
     reaction: Lesson | None = None
     lesson: Lesson | None = None
     said: int = 0
+    progress: Progress | None = None
     preempted: list[tuple[float, int]] = field(default_factory=list)
 
     @property

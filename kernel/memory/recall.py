@@ -98,6 +98,26 @@ def is_so(binding: Binding) -> bool:
     return all(node.kind != "said" for node in binding.values())
 
 
+def is_now_so(
+    graphlet: Graphlet, memory: WorkingMemory, binding: Binding, threshold: float
+) -> bool:
+    """Whether a watched condition holds: that of a loop, of WAIT, ACH and KEEP.
+
+    A denied one ("nothing is close", "the gripper is not closed") holds where it is known, and where its contrary is
+    not (ours: the senses post what is so, never what is not).
+    """
+    memory.refresh()
+    bound = known(graphlet, memory.persons(graphlet, binding))
+
+    def found(pattern: Graphlet) -> bool:
+        return any(map(is_so, matches(pattern, memory.net, REMEMBERED, bound, threshold)))
+
+    if found(graphlet):
+        return True
+    denied = any(term.negated for term in graphlet.terms if term.name == graphlet.main)
+    return denied and not found(graphlet.denied())
+
+
 def answer(question: Question, memory: WorkingMemory) -> Answer:
     """What memory has to say to a question about what is so."""
     about = question.about
