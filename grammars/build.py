@@ -7,9 +7,11 @@ from functools import cache
 from typing import Final
 
 from grammars.alist import AList
+from grammars.chains import count, plays
 from grammars.things import NoMeaningError, Things
 from grammars.vocabulary import lines
 from kernel.action.chain import Chain, Directive, Play
+from kernel.net.graphlet import Graphlet
 
 __all__ = ["Build", "NoMeaningError", "count", "particles"]
 
@@ -50,6 +52,8 @@ class Build(Things):
         if action.slot("dir") == "for" and self._particle != "for":
             raise NoMeaningError(str(action))
         links: dict[str, str] = {}
+        if (every := action.find("every")) is not None:
+            links["obj"] = self.every(every)
         if (obj := action.find("np")) is not None:
             links["obj"] = self.thing(obj)
             self.topic = links["obj"] if self.trigger else self.topic
@@ -79,6 +83,16 @@ class Build(Things):
         self._particle = ""
         return verb, ""
 
+    def every(self, every: AList) -> str:
+        """Node of each thing of a description: what is done to it is done in a loop (grammars.chains)."""
+        if self.pattern:
+            raise NoMeaningError(str(every))
+        name = self.thing(AList("np", every.parts))
+        self.sketch.change(name, ref="each")
+        self.each = self.sketch.graphlet(name, *self.finds.pop().names)
+        return name
+
+    each: Graphlet | None = None
     _particle: str = ""
 
     def modifiers(self, act: str, action: AList, taken: str = "") -> None:
@@ -114,7 +128,12 @@ class Build(Things):
         links = {"obj": txt}
         hearer = speech.find("hearer", "listener")
         if hearer is not None and hearer.parts:
-            links["dest"] = self.thing(hearer.find("np") or hearer, person=True)
+            every = hearer.find("every")
+            links["dest"] = (
+                self.thing(hearer.find("np") or hearer, person=True)
+                if every is None
+                else self.every(every)
+            )
         act = self.add("act", verb, **links)
         if (cnt := speech.find("cnt")) is not None:
             self.add("cnt", literal=count(cnt), cnt=act)
@@ -132,23 +151,12 @@ class Build(Things):
 
     def chain(self, chain: AList) -> Chain:
         """Plays one after another; look-ups come before the play that needs them."""
-        plays: list[Play] = []
-        for play in chain.all("play"):
-            parts: list[Directive] = []
-            for action in play.all("action", "acting"):
-                with self.drawing(pattern=False):
-                    act = self.action(action)
-                    parts.append(Directive("DO", self.graphlet(act)))
-            plays += [Play((Directive("FIND", find),)) for find in self.finds]
-            self.finds.clear()
-            plays.append(Play(tuple(parts)))
+        made = [play for part in chain.all("play") for play in plays(self, part)]
         for inner in chain.all("chain"):
-            plays += self.chain(inner).plays
-        return Chain(tuple(plays))
+            made += self.chain(inner).plays
+        return Chain(tuple(made))
 
-
-def count(cnt: AList) -> str:
-    """How many times, in digits."""
-    if cnt.has("twice"):
-        return "2"
-    return cnt.slot("num") or {"once": "1", "twice": "2"}.get(cnt.value or "", cnt.value or "1")
+    def looked_up(self) -> list[Play]:
+        """The look-ups that wait, as plays of their own; none waits any more."""
+        found, self.finds[:] = list(self.finds), []
+        return [Play((Directive("FIND", find),)) for find in found]

@@ -2,9 +2,14 @@
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 from grammars.alist import AList
-from grammars.build import Build, NoMeaningError
+from grammars.things import NoMeaningError
 from kernel.net.graphlet import Graphlet
+
+if TYPE_CHECKING:
+    from grammars.build import Build
 
 VERB_SLOTS = ("does", "gerund", "state", "states", "verb", "verbs")
 
@@ -21,6 +26,12 @@ def condition(build: Build, conds: AList) -> Graphlet:
         first, *more = flat(conds)
         mains = [clause(build, first, topical=True), *(clause(build, part) for part in more)]
         return build.graphlet(mains[0])
+
+
+def statement(build: Build, part: AList) -> Graphlet:
+    """One clause as a pattern."""
+    with build.drawing(pattern=True):
+        return build.graphlet(clause(build, part, topical=True))
 
 
 def clause(build: Build, part: AList, subject: str = "", topical: bool = False) -> str:

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Final
 from kernel.action.chain import Chain, Directive, Loop
 from kernel.action.step import Run, break_off
 from kernel.action.verdict import Verdict
-from kernel.memory.recall import is_now_so, is_so, missing, referents
+from kernel.memory.recall import is_so, missing, now_so, referents
 from kernel.net.match import Binding
 from kernel.net.node import Node
 
@@ -32,17 +32,17 @@ def looped(frame: Frame, loop: Loop) -> Run:
     clock, endless, idle = frame.commons.tick, _is_open(loop), 0
     made: list[list[Node]] = [[], []]  # in the round before, and in this one
     try:
-        while not _is_over(frame, loop):
+        while (held := _holding(frame, loop)) is not None:
             binding = next(rounds, None)
             if binding is None:
                 break
             began_s = clock.now_s
             frame.put_away(made[0])
             made.reverse()
-            inner = frame.inner(binding, made[1])
+            inner = frame.inner({**held, **binding}, made[1])
             inner.endless = endless
             run = inner.chain(loop.body)
-            verdict = yield from break_off(run, lambda: _is_over(frame, loop))
+            verdict = yield from break_off(run, lambda: _holding(frame, loop) is None)
             if not verdict.ok:
                 return verdict
             idle = idle + 1 if clock.now_s == began_s else 0
@@ -75,11 +75,12 @@ def _rounds(frame: Frame, loop: Loop) -> Iterator[Binding] | None:
     return repeat(frame.binding)
 
 
-def _is_over(frame: Frame, loop: Loop) -> bool:
+def _holding(frame: Frame, loop: Loop) -> Binding | None:
+    """What its condition binds while the loop goes on; None once it is over."""
     memory, threshold = frame.commons.memory, frame.commons.settings.threshold
-    if loop.until is not None and is_now_so(loop.until, memory, frame.binding, threshold):
-        return True
-    return loop.whilst is not None and not is_now_so(loop.whilst, memory, frame.binding, threshold)
+    if loop.until is not None and now_so(loop.until, memory, frame.binding, threshold) is not None:
+        return None
+    return {} if loop.whilst is None else now_so(loop.whilst, memory, frame.binding, threshold)
 
 
 def _is_open(loop: Loop) -> bool:

@@ -13,7 +13,7 @@ from kernel.hypothesis import Hypothesis, suppose
 from kernel.memory.attention import Failure
 from kernel.memory.choice import choice_weights, in_turn
 from kernel.memory.meaning import Question
-from kernel.memory.recall import answer, is_now_so, is_so, known, named
+from kernel.memory.recall import answer, is_so, known, named, now_so
 from kernel.memory.reply import Failed, Reason
 from kernel.net.match import matches
 from kernel.net.node import Node, describe
@@ -181,9 +181,9 @@ class RunningStep:
     def is_so(self) -> bool:
         """Whether the condition holds."""
         graphlet, threshold = self.directive.graphlet, self.selection.threshold
-        return graphlet is not None and is_now_so(
-            graphlet, self.commons.memory, self.frame.binding, threshold
-        )
+        if graphlet is None:
+            return False
+        return now_so(graphlet, self.commons.memory, self.frame.binding, threshold) is not None
 
     def truth(self) -> bool | None:
         """CHK from memory."""

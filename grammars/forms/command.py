@@ -19,6 +19,17 @@ EXAMPLES = (
     "say hello three times",
     "turn left while saying excuse me",
     "grab the block that is not blue",
+    "repeat turn left then turn right three times",
+    "drive forward until something is very close",
+    "turn left while the gripper is empty",
+    "while the gripper is empty, turn left",
+    "keep turning left",
+    "keep backing up until nothing is close",
+    "grab each blue block",
+    "for every block grab it then release it",
+    "make sure the gripper is closed",
+    "keep the gripper closed while driving forward",
+    "wait until the light is green",
 )
 TURNS = frozenset(("left", "right", "clockwise", "counterclockwise", "around"))
 LIFTS = {"up": "raise", "down": "lower"}

@@ -49,6 +49,7 @@ FACTS: Final = {
 PARTS: Final = {
     "gripper closed": ("gripper", "closed"),
     "gripper open": ("gripper", "open"),
+    "gripper empty": ("gripper", "empty"),
     "lift up": ("lift", "up"),
     "lift down": ("lift", "down"),
 }
@@ -56,7 +57,7 @@ PARTS: Final = {
 
 @sense("parts")
 class Parts:
-    """What state gripper and lift are in (ours): closed, on something or as far as it goes; open; up; down.
+    """What state gripper and lift are in (ours): closed, on something or as far as it goes; open; empty; up; down.
 
     What is so at the first look is held, and nothing reacts to it: the robot was made that way.
     """
@@ -82,6 +83,7 @@ class Parts:
         away = {
             "gripper closed": 0.0 if body.holding else body.grip,
             "gripper open": 1.0 - body.grip,
+            "gripper empty": 1.0 if body.holding else 0.0,
             "lift up": 1.0 - body.lift,
             "lift down": body.lift,
         }

@@ -98,10 +98,10 @@ def is_so(binding: Binding) -> bool:
     return all(node.kind != "said" for node in binding.values())
 
 
-def is_now_so(
+def now_so(
     graphlet: Graphlet, memory: WorkingMemory, binding: Binding, threshold: float
-) -> bool:
-    """Whether a watched condition holds: that of a loop, of WAIT, ACH and KEEP.
+) -> Binding | None:
+    """How a watched condition holds, None where it does not: that of a loop, of WAIT, ACH and KEEP.
 
     A denied one ("nothing is close", "the gripper is not closed") holds where it is known, and where its contrary is
     not (ours: the senses post what is so, never what is not).
@@ -109,13 +109,14 @@ def is_now_so(
     memory.refresh()
     bound = known(graphlet, memory.persons(graphlet, binding))
 
-    def found(pattern: Graphlet) -> bool:
-        return any(map(is_so, matches(pattern, memory.net, REMEMBERED, bound, threshold)))
+    def found(pattern: Graphlet) -> Binding | None:
+        every = matches(pattern, memory.net, REMEMBERED, bound, threshold)
+        return next(filter(is_so, every), None)
 
-    if found(graphlet):
-        return True
+    if (so := found(graphlet)) is not None:
+        return so
     denied = any(term.negated for term in graphlet.terms if term.name == graphlet.main)
-    return denied and not found(graphlet.denied())
+    return {} if denied and found(graphlet.denied()) is None else None
 
 
 def answer(question: Question, memory: WorkingMemory) -> Answer:
