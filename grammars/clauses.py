@@ -28,12 +28,6 @@ def condition(build: Build, conds: AList) -> Graphlet:
         return build.graphlet(mains[0])
 
 
-def statement(build: Build, part: AList) -> Graphlet:
-    """One clause as a pattern."""
-    with build.drawing(pattern=True):
-        return build.graphlet(clause(build, part, topical=True))
-
-
 def clause(build: Build, part: AList, subject: str = "", topical: bool = False) -> str:
     """Draw a clause on the present board; the node of its predicate.
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from grammars.alist import AList
 from grammars.build import Build, NoMeaningError
-from grammars.clauses import statement
+from grammars.clauses import condition
 from grammars.hedges import preference
 from grammars.registry import sentence_form
 from kernel.action.chain import Chain, Directive
@@ -33,9 +33,9 @@ def procedure(alist: AList) -> Teach:
     """An operator on DO, or on ACH."""
     build = Build()
     said = alist.find("said")
-    if (wanted := alist.find("clause")) is not None:
-        trigger = Directive("ACH", statement(build, wanted))
-        return _taught(build, alist, trigger)
+    if (made := alist.find("conds", "clause")) is not None:
+        conds = made if made.name == "conds" else AList("conds", (made,))
+        return _taught(build, alist, Directive("ACH", condition(build, conds)))
     with build.drawing(pattern=True, trigger=True):
         if said is not None:
             act = build.add("act", said.slot("quote").lower())
