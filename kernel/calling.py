@@ -18,7 +18,7 @@ from kernel.errors import (
 )
 from kernel.memory.attention import Failure, Focus
 from kernel.memory.reply import Reason
-from kernel.net.node import MODIFIER_ROLES, Node
+from kernel.net.node import MODIFIER_ROLES, Node, descriptions
 
 _MOTION_REASONS: Final[dict[str, Reason]] = {
     "link_lost": "link_lost",
@@ -99,7 +99,7 @@ def act_words(act: Node) -> tuple[str, ...]:
         if role in MODIFIER_ROLES or role in ("obj", "dest"):
             words += [other.literal] if other.literal else []
             words += sorted(other.lex)[:1]
-            words += [min(n.lex) for r, n in other.into if r in MODIFIER_ROLES and n.lex]
+            words += [min(node.lex) for node in descriptions(other) if node.lex]
     return tuple(words)
 
 

@@ -16,7 +16,7 @@ from kernel.memory.recall import may_assume, missing, referents
 from kernel.memory.reply import Reason
 from kernel.net.graphlet import Graphlet
 from kernel.net.match import Binding
-from kernel.net.node import MODIFIER_ROLES, REMEMBERED, Node
+from kernel.net.node import Node, descriptions
 from kernel.stepping import RunningStep
 from kernel.stopping import stoppable
 
@@ -172,12 +172,7 @@ class Frame:
     def mention(self, node: Node) -> None:
         """The node is in mind for as long as this focus, with what describes it."""
         self.commons.memory.net.touch(node)
-        described = [
-            other
-            for role, other in node.into
-            if role in MODIFIER_ROLES and other.level <= REMEMBERED
-        ]
-        self.focus.nodes |= dict.fromkeys((node, *described))
+        self.focus.nodes |= dict.fromkeys((node, *descriptions(node)))
         self.commons.memory.changed()
 
     def instantiate(self, graphlet: Graphlet) -> Binding:

@@ -18,7 +18,7 @@ VERY_CLOSE_M: Final = (0.05, 0.06)
 FAR_M: Final = (0.28, 0.30)
 BATTERY_LOW_V: Final = (6.6, 6.9)
 # The same for lift and gripper, as parts of their whole travel: at its end, and not any more.
-AT_END: Final = (0.05, 0.10)
+AT_END: Final = (0.02, 0.06)
 
 
 def _quality(name: str, word: str, of: str, *more: Term) -> Graphlet:

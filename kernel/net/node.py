@@ -218,6 +218,18 @@ def _names(graphlet: Graphlet) -> list[str]:
     return names
 
 
+def descriptions(node: Node) -> list[Node]:
+    """Predicates that say which thing it is. The state that a part of the robot's own is in is none of them."""
+    part = any(role == "own" and any("you" in o.lex for o in p.to("of")) for role, p in node.into)
+    return [
+        predicate
+        for role, predicate in node.into
+        if role in MODIFIER_ROLES
+        and predicate.level != HYPOTHETICAL
+        and not (part and role == "hq")
+    ]
+
+
 def describe(node: Node, limit: int = 40) -> Graphlet:
     """What is known of a node, as a graphlet: itself, what it points to, and what modifies any of these."""
     terms: dict[Node, Term] = {}
@@ -231,7 +243,7 @@ def describe(node: Node, limit: int = 40) -> Graphlet:
             here.name, frozenset(here.lex), here.literal, "", here.negated, here.belief, links
         )
         pending += [other for role, other in here.links if role != "cmd"]
-        pending += [p for role, p in here.into if role in MODIFIER_ROLES and p.level <= BAND_2]
+        pending += [predicate for predicate in descriptions(here) if predicate.level <= BAND_2]
     shown = {n.name for n in terms}
     kept = tuple(t for t in terms.values() if all(other in shown for _, other in t.links))
     return Graphlet(kept, node.name)

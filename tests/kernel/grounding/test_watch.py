@@ -155,11 +155,11 @@ def part_edges(**readings: Sequence[object]) -> list[str]:
 @pytest.mark.parametrize(
     ("grip", "seen"),
     [
-        ([0.5, 0.06, 0.04], ["gripper closed"]),
-        ([0.04, 0.09, 0.04], ["gripper closed"]),
-        ([0.04, 0.11, 0.04], ["gripper closed", "-gripper closed", "gripper closed"]),
-        ([0.96, 0.91, 0.5], ["gripper open", "-gripper open"]),
-        ([0.94], []),
+        ([0.5, 0.03, 0.01], ["gripper closed"]),
+        ([0.01, 0.05, 0.01], ["gripper closed"]),
+        ([0.01, 0.07, 0.01], ["gripper closed", "-gripper closed", "gripper closed"]),
+        ([0.99, 0.95, 0.5], ["gripper open", "-gripper open"]),
+        ([0.97], []),
     ],
 )
 def test_the_gripper_is_open_or_closed_at_its_ends(grip: list[float], seen: list[str]) -> None:
@@ -167,7 +167,7 @@ def test_the_gripper_is_open_or_closed_at_its_ends(grip: list[float], seen: list
 
 
 def test_the_lift_is_up_or_down_at_its_ends() -> None:
-    lift = [0.0, 0.09, 0.5, 0.96, 0.92, 0.8]
+    lift = [0.0, 0.05, 0.5, 0.99, 0.95, 0.8]
     seen = ["lift down", "-lift down", "lift up", "-lift up"]
     assert part_edges(lift=lift, grip=[0.5] * len(lift)) == seen
 
