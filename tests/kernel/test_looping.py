@@ -95,10 +95,19 @@ def test_what_was_told_long_ago_counts(robot: Any) -> None:
     assert robot.do(loop(TURN, f"until: {GREEN}")) == []
 
 
-def test_what_is_only_asked_for_is_not_so(robot: Any) -> None:
-    robot.command(f"{loop(TURN, f'until: {GREEN}')}; ACH[ hq-1 -lex- green; -hq-> obj-2 ]")
+@pytest.mark.parametrize(
+    "later",
+    [
+        "ACH[ hq-1 -lex- green; -hq-> obj-2 ]",
+        "FIND[ obj-2; ako-3 -lex- light; -ako-> obj-2; hq-4 -lex- green; -hq-> obj-2 ]; "
+        "DO[ act-31 -lex- grab; -obj-> obj-2 ]",
+    ],
+)
+def test_what_is_only_spoken_of_is_not_so(robot: Any, later: str) -> None:
+    robot.command(f"{loop(TURN, f'until: {GREEN}')}; {later}")
     robot.pass_time(2)
     assert robot.out.busy
+    assert len(robot.moved) == 1
 
 
 def test_an_amount_is_kept_and_repeated(robot: Any) -> None:

@@ -57,7 +57,8 @@ def test_what_runs_beside_it_in_its_play_goes_on_and_nothing_comes_after(robot: 
 def test_no_other_operator_is_tried_and_nothing_tidied_up(robot: Any) -> None:
     robot.teach(f"trig: DO[ act-1 -lex- dance ]; pref: 1.0; ---; {SPIN}")
     robot.teach(f"trig: DO[ act-1 -lex- dance ]; pref: 1.0; ---; {SPIN.replace('360', '720')}")
-    robot.teach(f"trig: POST[ act-1 -lex- turn ]; pref: 1.0; ---; {METER}")
+    for verb in ("turn", "dance"):
+        robot.teach(f"trig: POST[ act-1 -lex- {verb} ]; pref: 1.0; ---; {METER}")
     robot.command("DO[ act-1 -lex- dance ]; " + RAISE)
     robot.pass_time(0.3)
     robot.hear(Control("stop", about(TURNING)))
@@ -90,6 +91,20 @@ def test_it_does_not_end_what_it_is_a_step_of(robot: Any) -> None:
         f"trig: DO[ act-1 -lex- dance ]; pref: 1.0; ---; STOP[ act-2 -lex- dance ]; {RAISE}"
     )
     assert robot.do("DO[ act-1 -lex- dance ]") == [MoveLift(1.0)]
+    assert robot.body.state.lift == 1.0
+
+
+def test_what_is_stopped_is_not_tried_on_another_thing(robot: Any) -> None:
+    for quality in ("red", "blue"):
+        described = f"obj-2; ako-3 -lex- block; -ako-> obj-2; hq-4 -lex- {quality}; -hq-> obj-2"
+        robot.tell("hq-1 -lex- heavy; -hq-> obj-2", described)
+    robot.command(
+        "FIND[ obj-2; ako-3 -lex- block; -ako-> obj-2 ]; DO[ act-1 -lex- grab; -obj-> obj-2 ]"
+    )
+    robot.pass_time(0.3)
+    robot.hear(Control("stop", about("act-1 -lex- grab")))
+    robot.settle()
+    assert len(robot.moved) == 1
 
 
 def test_there_being_none_is_no_failure_of_a_step(robot: Any) -> None:
