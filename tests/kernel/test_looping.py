@@ -99,8 +99,8 @@ def test_what_was_told_long_ago_counts(robot: Any) -> None:
     "later",
     [
         "ACH[ hq-1 -lex- green; -hq-> obj-2 ]",
-        "FIND[ obj-2; ako-3 -lex- light; -ako-> obj-2; hq-4 -lex- green; -hq-> obj-2 ]; "
-        "DO[ act-31 -lex- grab; -obj-> obj-2 ]",
+        "FIND[ obj-40; ako-41 -lex- light; -ako-> obj-40; hq-42 -lex- green; -hq-> obj-40 ]; "
+        "DO[ act-31 -lex- grab; -obj-> obj-40 ]",
     ],
 )
 def test_what_is_only_spoken_of_is_not_so(robot: Any, later: str) -> None:
