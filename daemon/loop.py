@@ -13,16 +13,7 @@ from daemon import events
 from daemon.speaking.queue import SpeechQueue
 from daemon.speaking.voice import Voice
 from daemon.telling import from_record, from_reply, pose
-from daemon.understanding import (
-    SAY_AGAIN,
-    UNCLEAR,
-    Understanding,
-    halts,
-    halts_one,
-    is_stop,
-    names_activity,
-    understand,
-)
+from daemon.understanding import SAY_AGAIN, UNCLEAR, Understanding, at_once, stops, understand
 from daemon.wire import Wire
 from daemon.writer import Keeper, Kept, NotKept
 from firmware_proto.told import SessionState
@@ -148,11 +139,8 @@ class Cycle:
             self._speech.add(SAY_AGAIN)
 
     def begin(self, utterance: Utterance, source: str = "typed") -> int:
-        """The first half of `hear`: report it, stop if it is a stop word; the stop epoch it belongs to.
-
-        "Stop turning" is left to `take`, which stops unless it is understood.
-        """
-        if is_stop(utterance.text) and not names_activity(utterance.text):
+        """The first half of `hear`: report it, stop if it is a stop word; the stop epoch it belongs to."""
+        if at_once(utterance.text):
             self.stop(source)
         self._emit(
             events.Heard(
@@ -170,7 +158,7 @@ class Cycle:
         A command that was heard before a stop and understood after it is dropped.
         """
         text = understanding.utterance.text
-        if self._stops(understanding):
+        if stops(understanding):
             before, after = self._link.stop_epoch, self.stop(source)
             epoch = after if epoch == before else epoch
         if understanding.error is not None:
@@ -190,14 +178,6 @@ class Cycle:
         self._sources[text] = source
         if len(self._sources) > SOURCES_KEPT:
             del self._sources[next(iter(self._sources))]
-
-    @staticmethod
-    def _stops(understanding: Understanding) -> bool:
-        """Everything is to stop, and `begin` has not seen to it."""
-        text, heard = understanding.utterance.text, understanding.heard
-        if is_stop(text):
-            return names_activity(text) and (heard is None or not halts_one(heard.meaning))
-        return heard is not None and halts(heard.meaning)
 
     def _dropped(self, heard: Heard) -> bool:
         if not isinstance(heard.meaning, Command | Revision):

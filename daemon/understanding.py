@@ -98,3 +98,16 @@ def halts(meaning: Meaning) -> bool:
 def halts_one(meaning: Meaning) -> bool:
     """One activity is to stop, "stop turning": the mind knows which one that is, and what may go on."""
     return isinstance(meaning, Control) and meaning.act == "stop" and meaning.about is not None
+
+
+def at_once(text: str) -> bool:
+    """Everything is to stop before the text is parsed."""
+    return is_stop(text) and not names_activity(text)
+
+
+def stops(understanding: Understanding) -> bool:
+    """Everything is to stop, and that has not been seen to before it was parsed."""
+    text, heard = understanding.utterance.text, understanding.heard
+    if is_stop(text):
+        return names_activity(text) and (heard is None or not halts_one(heard.meaning))
+    return heard is not None and halts(heard.meaning)
