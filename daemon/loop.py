@@ -13,7 +13,7 @@ from daemon import events
 from daemon.speaking.queue import SpeechQueue
 from daemon.speaking.voice import Voice
 from daemon.telling import from_record, from_reply, from_shift, pose
-from daemon.understanding import SAY_AGAIN, UNCLEAR, Understanding, halts, is_stop, understand
+from daemon.understanding import SAY_AGAIN, UNCLEAR, Understanding, at_once, stops, understand
 from daemon.wire import Wire
 from daemon.writer import Keeper, Kept, NotKept
 from firmware_proto.told import SessionState
@@ -138,7 +138,7 @@ class Cycle:
 
     def begin(self, utterance: Utterance, source: str = "typed") -> int:
         """The first half of `hear`: report it, stop if it is a stop word; the stop epoch it belongs to."""
-        if is_stop(utterance.text):
+        if at_once(utterance.text):
             self.stop(source)
         self._emit(
             events.Heard(
@@ -156,14 +156,15 @@ class Cycle:
         A command that was heard before a stop and understood after it is dropped.
         """
         text = understanding.utterance.text
+        if stops(understanding):
+            before, after = self._link.stop_epoch, self.stop(source)
+            epoch = after if epoch == before else epoch
         if understanding.error is not None:
             said = say(understanding.error)
             self._emit(events.NotUnderstood(t=self.now_s, text=text, reason=said.shown))
             self._speech.add(said.spoken)
         if (heard := understanding.heard) is None:
             return
-        if halts(heard.meaning) and not is_stop(text):
-            self.stop(source)
         self._emit(
             events.Understood(
                 t=self.now_s, text=text, readback=understanding.readback, kind=understanding.kind

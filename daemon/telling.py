@@ -15,6 +15,7 @@ from kernel.memory.policy import Shift
 from kernel.memory.reply import (
     Answer,
     AskWhich,
+    Dropped,
     FactTaken,
     Failed,
     Greeted,
@@ -24,9 +25,10 @@ from kernel.memory.reply import (
     NotYet,
     Refused,
     Reply,
+    Resumed,
 )
 
-ACKNOWLEDGES: Final = (LessonTaken, FactTaken, Met, Greeted, Halted)
+ACKNOWLEDGES: Final = (LessonTaken, FactTaken, Met, Greeted, Halted, Dropped, Resumed)
 GOES_WRONG: Final = (Refused, Failed, NotYet)
 
 

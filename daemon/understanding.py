@@ -30,6 +30,28 @@ def is_stop(text: str) -> bool:
     return first in STOP_WORDS
 
 
+NO_ACTIVITY: Final = frozenset({"everything", "anything", "something", "nothing", "thing"})
+FEW_WORDS: Final = 8
+
+
+def names_activity(text: str) -> bool:
+    """It begins as "stop turning" does, so that it may be meant to halt one activity alone.
+
+    Only such a text waits for the parser before STOP is sent, a few milliseconds, as only by its meaning it is known
+    whether the rest may go on; unless it is then fully understood as that, STOP is sent all the same. Every other text
+    that begins with a stop word stops the robot before it is parsed. In spoken words the stop word alone stops it, as
+    soon as it is heard (hearing/stop_spotter.py): what follows comes too late to be waited for.
+
+    >>> names_activity("stop turning"), names_activity("stop everything"), names_activity("stop now")
+    (True, False, False)
+    """
+    words = "".join(c if c.isalpha() or c == "'" else " " for c in text.lower()).split()
+    said = [word for word in words if word not in BESIDE_STOP and word not in ("the", "all")]
+    if len(said) < 2 or len(said) > FEW_WORDS or said[0] not in STOP_WORDS:
+        return False
+    return said[1].endswith("ing") and said[1] not in NO_ACTIVITY
+
+
 SAY_AGAIN: Final = "Please say that again."
 UNCLEAR: Final = {  # hearing's reason: what is shown, and whether the robot asks again
     "noise": ("I heard no words.", False),
@@ -76,4 +98,22 @@ def halts(meaning: Meaning) -> bool:
     """Everything is to stop: such a meaning does not wait for the mind."""
     if isinstance(meaning, Feedback):
         return meaning.stop
-    return isinstance(meaning, Control) and meaning.act == "stop"
+    return isinstance(meaning, Control) and meaning.act == "stop" and meaning.about is None
+
+
+def halts_one(meaning: Meaning) -> bool:
+    """One activity is to stop, "stop turning": the mind knows which one that is, and what may go on."""
+    return isinstance(meaning, Control) and meaning.act == "stop" and meaning.about is not None
+
+
+def at_once(text: str) -> bool:
+    """Everything is to stop before the text is parsed."""
+    return is_stop(text) and not names_activity(text)
+
+
+def stops(understanding: Understanding) -> bool:
+    """Everything is to stop, and that has not been seen to before it was parsed."""
+    text, heard = understanding.utterance.text, understanding.heard
+    if is_stop(text):
+        return names_activity(text) and (heard is None or not halts_one(heard.meaning))
+    return heard is not None and halts(heard.meaning)

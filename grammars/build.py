@@ -7,13 +7,16 @@ from functools import cache
 from typing import Final
 
 from grammars.alist import AList
+from grammars.chains import count, plays
 from grammars.clauses import stated
 from grammars.things import NoMeaningError, Things
 from grammars.vocabulary import lines
 from kernel.action.chain import Chain, Directive, Play
+from kernel.net.graphlet import Graphlet
 
 __all__ = ["Build", "NoMeaningError", "count", "particles"]
 
+WONDERS: Final = {"what_like": "hq", "what_kind": "ako", "whereabout": "loc"}
 SIZES: Final = {
     "all the way": "fully",
     "completely": "fully",
@@ -51,6 +54,8 @@ class Build(Things):
         if action.slot("dir") == "for" and self._particle != "for":
             raise NoMeaningError(str(action))
         links: dict[str, str] = {}
+        if (every := action.find("every")) is not None:
+            links["obj"] = self.every(every)
         if (obj := action.find("np")) is not None:
             links["obj"] = self.thing(obj)
             self.topic = links["obj"] if self.trigger else self.topic
@@ -80,6 +85,16 @@ class Build(Things):
         self._particle = ""
         return verb, ""
 
+    def every(self, every: AList) -> str:
+        """Node of each thing of a description: what is done to it is done in a loop (grammars.chains)."""
+        if self.pattern:
+            raise NoMeaningError(str(every))
+        name = self.thing(AList("np", every.parts))
+        self.sketch.change(name, ref="each")
+        self.each = self.sketch.graphlet(name, *self.finds.pop().names)
+        return name
+
+    each: Graphlet | None = None
     _particle: str = ""
 
     def modifiers(self, act: str, action: AList, taken: str = "") -> None:
@@ -115,7 +130,12 @@ class Build(Things):
         links = {"obj": txt}
         hearer = speech.find("hearer", "listener")
         if hearer is not None and hearer.parts:
-            links["dest"] = self.thing(hearer.find("np") or hearer, person=True)
+            every = hearer.find("every")
+            links["dest"] = (
+                self.thing(hearer.find("np") or hearer, person=True)
+                if every is None
+                else self.every(every)
+            )
         act = self.add("act", verb, **links)
         if (cnt := speech.find("cnt")) is not None:
             self.add("cnt", literal=count(cnt), cnt=act)
@@ -131,7 +151,7 @@ class Build(Things):
         """Node of an action; of any act at all where none is named."""
         return self.add("act") if action is None else self.action(action)
 
-    def _inquired(self, inquiry: AList) -> Directive:
+    def inquired(self, inquiry: AList) -> Directive:
         """To find something out as a step: what is definite is looked up first, "something" is any thing."""
         before, self.telling = self.telling, True
         with self.drawing(pattern=False):
@@ -156,28 +176,12 @@ class Build(Things):
 
     def chain(self, chain: AList) -> Chain:
         """Plays one after another; look-ups come before the play that needs them."""
-        plays: list[Play] = []
-        for play in chain.all("play"):
-            parts: list[Directive] = []
-            for action in play.all("action", "acting"):
-                with self.drawing(pattern=False):
-                    act = self.action(action)
-                    parts.append(Directive("DO", self.graphlet(act)))
-            if (inquiry := play.find("inquiry")) is not None:
-                parts.append(self._inquired(inquiry))
-            plays += [Play((Directive("FIND", find),)) for find in self.finds]
-            self.finds.clear()
-            plays.append(Play(tuple(parts)))
+        made = [play for part in chain.all("play") for play in plays(self, part)]
         for inner in chain.all("chain"):
-            plays += self.chain(inner).plays
-        return Chain(tuple(plays))
+            made += self.chain(inner).plays
+        return Chain(tuple(made))
 
-
-WONDERS: Final = {"what_like": "hq", "what_kind": "ako", "whereabout": "loc"}
-
-
-def count(cnt: AList) -> str:
-    """How many times, in digits."""
-    if cnt.has("twice"):
-        return "2"
-    return cnt.slot("num") or {"once": "1", "twice": "2"}.get(cnt.value or "", cnt.value or "1")
+    def looked_up(self) -> list[Play]:
+        """The look-ups that wait, as plays of their own; none waits any more."""
+        found, self.finds[:] = list(self.finds), []
+        return [Play((Directive("FIND", find),)) for find in found]

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from typing import Any
 
 from grammars.reading import Parsed
-from kernel.action.chain import Chain, Directive
+from kernel.action.chain import Chain
 from kernel.memory.lesson import Operator, Rule
 from kernel.memory.meaning import (
     Command,
@@ -64,28 +64,22 @@ def _graphlets(meaning: Meaning) -> Iterator[Graphlet]:
             yield from (*finds, fact)
         case Question(about=about, chain=chain):
             yield about
-            yield from _within(chain.directives()) if chain is not None else ()
+            yield from chain.graphlets() if chain is not None else ()
         case Control(about=about) if about is not None:
             yield about
         case Revision(chain, instead_of, of):
-            yield from _within(chain.directives())
+            yield from chain.graphlets()
             yield from (part for part in (instead_of, of) if part is not None)
         case Command(chain):
-            yield from _within(chain.directives())
+            yield from chain.graphlets()
         case Teach(content=Rule() as rule):
             yield from (rule.condition, rule.conclusion, *rule.unless)
         case Teach(content=Operator() as operator):
-            yield from _within((operator.trigger, *operator.chain.directives()))
+            yield from (operator.trigger.graphlet,) if operator.trigger.graphlet else ()
+            yield from operator.chain.graphlets()
             yield from (*operator.enablement, *operator.unless)
         case _:
             return
-
-
-def _within(directives: Any) -> Iterator[Graphlet]:
-    part: Directive
-    for part in directives:
-        if part.graphlet is not None:
-            yield part.graphlet
 
 
 def _words(meaning: Meaning) -> set[str]:

@@ -199,8 +199,8 @@ def _graphlets(lesson: Lesson) -> Iterator[Graphlet]:
     elif isinstance(content, Rule):
         yield from (content.condition, content.conclusion, *content.unless)
     elif isinstance(content, Operator):
-        directives = (content.trigger, *content.chain.directives())
-        yield from (d.graphlet for d in directives if d.graphlet is not None)
+        yield from (content.trigger.graphlet,) if content.trigger.graphlet else ()
+        yield from content.chain.graphlets()
         yield from (*content.enablement, *content.unless)
 
 

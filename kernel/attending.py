@@ -7,6 +7,7 @@ you to do something don't" works (Connell 2019, section 4, Permissions).
 from __future__ import annotations
 
 from dataclasses import replace
+from typing import Protocol
 
 from kernel.action.chain import Directive
 from kernel.action.step import DIRECTIVES, Run
@@ -39,9 +40,12 @@ from kernel.net.node import Node
 from kernel.remembering import source
 from kernel.reporting import commanded
 from kernel.running import Frame
+from kernel.steering import Steered, drop_newest, go_on, stop_doing
 from kernel.stepping import RunningStep
 
-Listener = Thinker  # what a mind lets an utterance change of itself is its speaker
+
+class Listener(Steered, Thinker, Protocol):
+    """What a mind lets an utterance change of itself."""
 
 
 def attend(mind: Listener, commons: Commons, focus: Focus) -> Run:
@@ -142,6 +146,12 @@ def _content(mind: Listener, commons: Commons, focus: Focus, heard: Heard) -> Ru
         case Control("learned"):
             day = Question("what", Graphlet((), "act-1"), topic="learned")
             commons.replies.append(answer(Asking(commons, focus, mind, day)))
+        case Control("stop", about) if about is not None:
+            stop_doing(commons, focus, about)
+        case Control("cancel"):
+            drop_newest(mind, commons, focus)
+        case Control("resume"):
+            return (yield from go_on(commons, focus))
         case Control(act):
             if act != "stop":
                 commons.replies.append(NotYet(act))

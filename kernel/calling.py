@@ -21,7 +21,7 @@ from kernel.memory.attention import Failure, Focus
 from kernel.memory.looking import seen
 from kernel.memory.meaning import Command
 from kernel.memory.reply import Reason, Saw
-from kernel.net.node import MODIFIER_ROLES, Node
+from kernel.net.node import MODIFIER_ROLES, Node, descriptions
 
 _MOTION_REASONS: Final[dict[str, Reason]] = {
     "link_lost": "link_lost",
@@ -32,7 +32,7 @@ _MOTION_REASONS: Final[dict[str, Reason]] = {
 }
 
 
-def call(commons: Commons, focus: Focus, name: str, act: Node) -> Run:
+def call(commons: Commons, focus: Focus, name: str, act: Node, endless: bool = False) -> Run:
     """Run a grounding function to its end; every tick it bids, its bid is claimed for the focus."""
     grounding = GROUNDINGS.get(name)
     if grounding is None:
@@ -43,7 +43,7 @@ def call(commons: Commons, focus: Focus, name: str, act: Node) -> Run:
     told = {"function": name, "text": act_text(act), "words": act_words(act), "ticket": ticket}
     commons.record("action_started", focus, **told)
     verdict = Verdict.STOPPED
-    made = Call(act, commons.memory.depth, ticket, commons.next_number)
+    made = Call(act, commons.memory.depth, ticket, commons.next_number, endless)
     running = grounding.code(made, commons.tick)
     try:
         verdict = yield from _served(commons, focus, act, running, name, ticket)
@@ -57,11 +57,16 @@ def call(commons: Commons, focus: Focus, name: str, act: Node) -> Run:
 
 
 def _served(commons: Commons, focus: Focus, act: Node, running: Act, name: str, ticket: int) -> Run:
-    """Pass the function's bids on; fail it when the mind has struck its ticket."""
+    """Pass the function's bids on; end it when the mind has struck its ticket."""
     spoken, resource = False, ""
     while True:
         if ticket in commons.struck:
-            focus.failure = Failure(commons.struck.pop(ticket), detail=resource)
+            why = commons.struck.pop(ticket)
+            if why == "ended":
+                return Verdict.SUCCEEDED
+            if why == "stopped":
+                return Verdict.STOPPED
+            focus.failure = Failure(why, detail=resource)
             return Verdict.FAILED
         try:
             bid: Bid | None = next(running)
@@ -102,7 +107,7 @@ def act_words(act: Node) -> tuple[str, ...]:
         if role in MODIFIER_ROLES or role in ("obj", "dest"):
             words += [other.literal] if other.literal else []
             words += sorted(other.lex)[:1]
-            words += [min(n.lex) for r, n in other.into if r in MODIFIER_ROLES and n.lex]
+            words += [min(node.lex) for node in descriptions(other) if node.lex]
     return tuple(words)
 
 

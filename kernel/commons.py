@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import random
 from dataclasses import dataclass, field
-from typing import Final
+from typing import Final, Literal
 
 from kernel.action.arbiter import Claim
 from kernel.action.call import Bid, Tick
 from kernel.action.trace import Record, What
 from kernel.memory.asking import Asking
-from kernel.memory.attention import Attention, Failure, Focus
+from kernel.memory.attention import Attention, Failure, Focus, Progress
 from kernel.memory.change import Change
 from kernel.memory.experience import Experience
 from kernel.memory.lesson import Lesson, Operator, Rule
@@ -24,6 +24,15 @@ from kernel.net.node import Node
 STEPS_A_TICK: Final = 1000  # mind.md: then a tick yields and logs
 
 
+@dataclass(slots=True, eq=False)
+class Doing:
+    """A DO under way: for which focus, its act; stopped: it ends at its next turn (kernel.stopping)."""
+
+    focus: Focus
+    node: Node
+    stopped: bool = False
+
+
 @dataclass(slots=True)
 class Commons:
     """Memory, policy, the present, and what this tick brings forth.
@@ -33,7 +42,10 @@ class Commons:
         asking: which thing is meant: the question that is open.
         policy: what is in force of all that was learned; facts: the node of each stored fact in force, by lesson.
         pending: changes the store has not answered for: the focus each came from, by key.
-        struck: tickets that must fail at their next turn, and why.
+        struck: tickets that must end at their next turn, and why: "ended" as if they were done, "stopped" for good,
+            all other reasons as failures.
+        doing: every DO under way.
+        interrupted: commands that a stop or a cancel broke off, the one to go on with last (kernel.steering).
         steps: directives carried out in this tick.
         experience: what was done, and who told what.
     """
@@ -54,7 +66,9 @@ class Commons:
     pending: dict[int, Focus] = field(default_factory=dict)
     policy: Policy = field(default_factory=Policy)
     facts: dict[int, Node] = field(default_factory=dict)
-    struck: dict[int, Reason] = field(default_factory=dict)
+    struck: dict[int, Reason | Literal["ended"]] = field(default_factory=dict)
+    doing: list[Doing] = field(default_factory=list)
+    interrupted: list[Progress] = field(default_factory=list)
     tickets: int = 0
     steps: int = 0
     experience: Experience = field(default_factory=Experience)

@@ -106,6 +106,7 @@ def _asked(
             if commons.asking is not asking or commons.tick.now_s >= asking.until_s:
                 frame.explain("not_answered", None, about=(graphlet,))
                 return None
+            frame.focus.waits.add("answer")
             yield
     finally:
         if commons.asking is asking:

@@ -35,6 +35,7 @@ from kernel.memory.working import WorkingMemory
 from kernel.net.graphlet import Graphlet, Sketch
 from kernel.net.node import Node
 from kernel.remembering import unreached
+from kernel.steering import remember_interrupted
 
 PARTS: Final = ("gripper", "lift", "fork", "wheel", "battery", "finger", "arm")
 TAKEOVERS: Final = 3  # the same reaction may pre-empt the same focus so often in TAKEOVER_S
@@ -171,8 +172,10 @@ class Mind:
     def _halt(self, epoch: int) -> None:
         """Stop everything, then enter the new epoch: only then may anything move again."""
         active = self._attention.active()
+        remember_interrupted(self._commons, reversed(active), afresh=True)
         for focus in active:
-            self._close(focus, Verdict.STOPPED)
+            focus.progress = None
+            self.close(focus, Verdict.STOPPED)
         self.epoch = epoch
         self._commons.struck.clear()
         self._commons.speech.clear()
@@ -186,13 +189,15 @@ class Mind:
         fleeting = []
         for sense in self._senses:
             for edge in sense.update(inputs.body):
-                self._commons.record("sensed", None, key=edge.key, holds=edge.fact is not None)
+                if edge.noted:
+                    self._commons.record("sensed", None, key=edge.key, holds=edge.fact is not None)
                 if edge.fact is None:
                     memory.unsense(edge.key)
                 elif edge.fleeting:
                     fleeting.append(edge.fact)
                 else:
-                    noticed += memory.sense(edge.key, edge.fact)
+                    held = memory.sense(edge.key, edge.fact, edge.part)
+                    noticed += held if edge.noted else ()
         if noticed:
             self._begin(notice, None, tuple(noticed), None)
         for fact in fleeting:
@@ -214,7 +219,7 @@ class Mind:
         asking = self._commons.asking
         for focus in self._attention.active():
             if asking is not None and focus.number == asking.focus:
-                self._close(focus, Verdict.STOPPED)
+                self.close(focus, Verdict.STOPPED)
         self._commons.asking = None
 
     def _begin(self, how: Callable[..., Run], heard: Heard | None, *args: object) -> Focus:
@@ -238,12 +243,20 @@ class Mind:
             try:
                 next(focus.run)
             except StopIteration as end:
-                self._close(focus, end.value)
+                self.close(focus, end.value)
             except RecursionError:
                 focus.failure = Failure("recursion")
-                self._close(focus, Verdict.FAILED)
+                self.close(focus, Verdict.FAILED)
 
-    def _close(self, focus: Focus, verdict: Verdict) -> None:
+    def active(self) -> list[Focus]:
+        """Foci not handled yet, newest first."""
+        return self._attention.active()
+
+    def close(self, focus: Focus, verdict: Verdict) -> None:
+        """End a focus: its chain ends, and its motions with it."""
+        if verdict is Verdict.STOPPED:
+            remember_interrupted(self._commons, [focus])
+        focus.progress = None
         if focus.run is not None:
             focus.run.close()
         focus.run, focus.verdict = None, verdict
@@ -278,7 +291,11 @@ class Mind:
         halts = [c for c in commons.claims if isinstance(c.bid.command, Halt)]
         motions = [c for c in commons.claims if c not in halts]
         if halts:
-            commons.struck |= {claim.bid.ticket: "stopped" for claim in motions}
+            own = {claim.focus for claim in halts}
+            for (
+                claim
+            ) in motions:  # what the stop stands beside is done with, all else has been stopped
+                commons.struck[claim.bid.ticket] = "ended" if claim.focus in own else "stopped"
             motions = []
         ruling = arbitrate(motions)
         for ticket in ruling.conflicts:
@@ -291,20 +308,23 @@ class Mind:
             focus = by_number[claim.focus]
             if ticket not in self._waiting_since:
                 commons.record("resource_lost", focus, resource=claim.bid.resource)
-                self._took_over(focus, by_number[winner], ticket)
+                self._took_over(focus, by_number[winner])
             if now_s - waiting[ticket] > PATIENCE_S:
                 commons.struck[ticket] = "resource_lost"
         self._waiting_since = waiting
-        return ruling.winners
+        given_up = {c.bid.ticket for c in motions if by_number[c.focus].ended_s is not None}
+        return tuple(bid for bid in ruling.winners if bid.ticket not in given_up)
 
-    def _took_over(self, focus: Focus, winner: Focus, ticket: int) -> None:
-        if winner.reaction is None:
+    def _took_over(self, focus: Focus, winner: Focus) -> None:
+        """The same reaction taking over for the third time in 10 s ends the focus (mind.md)."""
+        if winner.reaction is None or focus.ended_s is not None:
             return
         now_s, ident = self._commons.tick.now_s, winner.reaction.ident
         focus.preempted = [p for p in focus.preempted if now_s - p[0] < TAKEOVER_S]
         focus.preempted.append((now_s, ident))
         if sum(lesson == ident for _, lesson in focus.preempted) >= TAKEOVERS:
-            self._commons.struck[ticket] = "resource_lost"
+            focus.failure = focus.failure or Failure("resource_lost")
+            self.close(focus, Verdict.FAILED)
 
 
 def innate() -> list[Lesson]:

@@ -17,8 +17,8 @@ def commanded(frame: Frame, chain: Chain) -> Run:
     """Run a command's chain; where its last step is to check or to find something out, report on that."""
     last = _inquiry(chain)
     if last is None:
-        return (yield from frame.chain(chain))
-    verdict = yield from frame.chain(Chain(chain.plays[:-1]))
+        return (yield from frame.command(chain, frame.focus.words))
+    verdict = yield from frame.command(Chain(chain.plays[:-1]), frame.focus.words)
     if not verdict.ok:
         return verdict
     assert last.graphlet is not None

@@ -3,21 +3,24 @@
 from __future__ import annotations
 
 from collections.abc import Generator
+from dataclasses import replace
 
-from kernel.action.chain import Chain, Directive, Play
+from kernel.action.chain import Chain, Directive, Loop, Part, Play
 from kernel.action.step import DIRECTIVES, Run
 from kernel.action.verdict import Verdict
 from kernel.commons import Commons
 from kernel.finding import Options, bindings, following, not_found, recalled
-from kernel.memory.attention import Failure, Focus
+from kernel.looping import looped
+from kernel.memory.attention import Failure, Focus, Progress
 from kernel.memory.experience import Occasion
 from kernel.memory.lesson import Lesson, Operator
 from kernel.memory.reply import Reason
 from kernel.net.graphlet import Graphlet
 from kernel.net.match import Binding
-from kernel.net.node import MODIFIER_ROLES, REMEMBERED, Node
+from kernel.net.node import REMEMBERED, Node, descriptions
 from kernel.remembering import begin, remembered
 from kernel.stepping import RunningStep
+from kernel.stopping import stoppable
 
 
 class Frame:
@@ -32,12 +35,20 @@ class Frame:
     def __init__(
         self, commons: Commons, focus: Focus, binding: Binding, within: tuple[Lesson, ...] = ()
     ) -> None:
+        """A frame without history.
+
+        acts: the acts it is a part of, outermost first. endless: its one step has no end of its own. made: the nodes
+        made in it, where these are to go before the focus does.
+        """
         self.commons, self.focus, self.binding, self.within = commons, focus, binding, within
         self.manners: tuple[Node, ...] = ()
         self.supposed: frozenset[Node] = frozenset()
         self.desperate = False
-        self.occasion: Occasion | None = None  # what a reaction above reacts to
-        self.deed = 0  # number of the deed that this is a step of
+        self.occasion: Occasion | None = None
+        self.deed = 0
+        self.acts: tuple[Node, ...] = ()
+        self.endless = False
+        self.made: list[Node] | None = None
 
     @property
     def ordered(self) -> bool:
@@ -47,12 +58,26 @@ class Frame:
             isinstance(o, Operator) and (o.trigger.tag == "NOTE" or o.prohibits) for o in operators
         )
 
-    def chain(self, chain: Chain) -> Run:
+    def command(self, chain: Chain, words: str, at: int = 0) -> Run:
+        """The chain of a command, from the play at the index on; the focus knows how far it has come."""
+        self.focus.progress = Progress(words, chain, at, self.binding)
+        rest = Chain(chain.plays[at:])
+        return (yield from self.chain(rest, followed=True))
+
+    def found(self, progress: Progress) -> Binding:
+        """What the look-ups of the command have found so far."""
+        finds = [d.graphlet for d in progress.chain.directives() if d.tag == "FIND" and d.graphlet]
+        return {g.main: self.binding[g.main] for g in finds if g.main in self.binding}
+
+    def chain(self, chain: Chain, followed: bool = False) -> Run:
         """Play after play; a failure goes back to the nearest FIND that has another binding."""
+        done = self.focus.progress if followed else None
         index, failure = 0, self.focus.failure
         open_finds: list[tuple[int, Options]] = []
         while index < len(chain.plays):
             play = chain.plays[index]
+            if done is not None:
+                self.focus.progress = replace(done, at=done.at + index, binding=self.found(done))
             if (find := _lone_find(play)) is not None:
                 later = [d for p in chain.plays[index + 1 :] for d in Chain((p,)).directives()]
                 options = bindings(self, find, later)
@@ -72,7 +97,7 @@ class Frame:
                 self.focus.failure = failure  # what was tried in vain before is no cause any more
                 index += 1
                 continue
-            if verdict is Verdict.PUNTED:
+            if verdict in (Verdict.PUNTED, Verdict.STOPPED):
                 return verdict
             while open_finds:
                 index, options = open_finds[-1]
@@ -87,7 +112,11 @@ class Frame:
         return Verdict.SUCCEEDED
 
     def play(self, play: Play) -> Run:
-        """All required parts side by side; the auxiliary ones end with them."""
+        """All required parts side by side; the auxiliary ones end with them.
+
+        One that is stopped lets the others go on; then the play ends as stopped, too.
+        """
+        stopped = False
         required: list[Run] = [self.part(part) for part in play.required]
         auxiliary: list[Run] = [self.part(part) for part in play.auxiliary]
         try:
@@ -97,11 +126,13 @@ class Frame:
                         next(run)
                     except StopIteration as end:
                         required.remove(run)
-                        if not end.value.ok:
+                        if end.value is Verdict.STOPPED:
+                            stopped = True
+                        elif not end.value.ok:
                             verdict: Verdict = end.value
                             return verdict
                 if not required:
-                    return Verdict.SUCCEEDED
+                    return Verdict.STOPPED if stopped else Verdict.SUCCEEDED
                 for run in list(auxiliary):
                     try:
                         next(run)
@@ -112,10 +143,12 @@ class Frame:
             for run in (*required, *auxiliary):
                 run.close()
 
-    def part(self, part: Directive | Chain) -> Run:
-        """A directive, or a chain inside a play."""
+    def part(self, part: Part) -> Run:
+        """A directive, or a chain or loop inside a play."""
         if isinstance(part, Chain):
             return self.chain(part)
+        if isinstance(part, Loop):
+            return looped(self, part)
         return self.directive(part)
 
     def directive(self, directive: Directive) -> Run:
@@ -132,6 +165,7 @@ class Frame:
         if directive.tag == "DO" and step.node is not None:
             descent = (self.within, self.occasion, self.deed)
             step.deed = begin(self.commons, self.focus, step.node, *descent)
+            run = stoppable(self.commons, self.focus, step.node, run)
             run = remembered(self.commons, self.focus, step.deed, run)
         verdict = Verdict.STOPPED
         try:
@@ -152,6 +186,7 @@ class Frame:
         if self.commons.out_of_breath:
             self.commons.record("yielded", self.focus, steps=self.commons.steps)
         while self.commons.out_of_breath:
+            self.focus.waits.add("next tick")
             yield
         self.commons.steps += 1
 
@@ -164,11 +199,7 @@ class Frame:
     def mention(self, node: Node) -> None:
         """The node is in mind for as long as this focus, with what describes it."""
         self.commons.memory.net.touch(node)
-        described = [
-            other
-            for role, other in node.into
-            if role in MODIFIER_ROLES and other.level <= REMEMBERED
-        ]
+        described = [other for other in descriptions(node) if other.level <= REMEMBERED]
         self.focus.nodes |= dict.fromkeys((node, *described))
         self.commons.memory.changed()
 
@@ -179,7 +210,27 @@ class Frame:
         for name, node in bound.items():
             if name not in known:
                 self.focus.nodes[node] = None
+                if self.made is not None:
+                    self.made.append(node)
         return bound
+
+    def inner(self, binding: Binding, made: list[Node]) -> Frame:
+        """A frame for a round of a loop: what is made in it can be put away before the focus ends."""
+        frame = self._heir(dict(binding), self.within)
+        frame.manners, frame.supposed, frame.desperate = (
+            self.manners,
+            self.supposed,
+            self.desperate,
+        )
+        frame.made = made
+        return frame
+
+    def put_away(self, made: list[Node]) -> None:
+        """Forget nodes that were made in earlier rounds, but for what else is in mind."""
+        for node in made:
+            self.focus.nodes.pop(node, None)
+        self.commons.memory.forget(made)
+        made.clear()
 
     def explain(
         self, reason: Reason, act: Node | None, detail: str = "", about: tuple[Graphlet, ...] = ()
@@ -190,9 +241,14 @@ class Frame:
 
     def within_operator(self, binding: Binding, lesson: Lesson) -> Frame:
         """A frame for an operator's chain, one level deeper."""
-        below = Frame(self.commons, self.focus, binding, (*self.within, lesson))
-        below.occasion, below.deed = self.occasion, self.deed
-        return below
+        return self._heir(binding, (*self.within, lesson))
+
+    def _heir(self, binding: Binding, within: tuple[Lesson, ...]) -> Frame:
+        """A frame below this one, with its descent."""
+        frame = Frame(self.commons, self.focus, binding, within)
+        frame.occasion, frame.deed = self.occasion, self.deed
+        frame.acts, frame.made = self.acts, self.made
+        return frame
 
 
 def directive_text(directive: Directive) -> str:

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Final
 
-from kernel.action.chain import Directive
-from kernel.action.step import Advice, Run, StepReason
+from kernel.action.chain import Chain, Directive
+from kernel.action.step import Advice, Run, StepReason, break_off
 from kernel.action.verdict import Verdict
 from kernel.calling import act_text, call
 from kernel.hypothesis import Hypothesis, suppose
@@ -17,31 +17,39 @@ from kernel.memory.inference import of_match
 from kernel.memory.lesson import Lesson
 from kernel.memory.manner import inherit, left_over
 from kernel.memory.meaning import Question
-from kernel.memory.recall import answer, is_so, known, named
-from kernel.memory.reply import Answer, Reason
+from kernel.memory.recall import answer, is_so, known, named, now_so
+from kernel.memory.reply import Answer, Failed, Reason
 from kernel.memory.wondering import asked_for, spelled_out
 from kernel.net.match import matches
 from kernel.net.node import Node, describe
 from kernel.remembering import occasion_of
 from kernel.selecting import Chosen, Selection
+from kernel.stopping import stop_matching
 
 if TYPE_CHECKING:
     from kernel.running import Frame
+
+
+# Directives about what is not so, or not known to be: their graphlets become no nodes of memory.
+WITHOUT_NODES: Final = frozenset(("CHK", "FIND", "ACH", "KEEP", "WAIT", "STOP"))
 
 
 class RunningStep:
     """A directive being carried out (kernel.action.step.Step)."""
 
     def __init__(self, frame: Frame, directive: Directive) -> None:
+        if directive.tag == "KEEP":  # it may act without end: what it makes for that is put away
+            frame = frame.inner(frame.binding, [])
         self.frame, self.directive = frame, directive
         self.commons, self.focus = frame.commons, frame.focus
         self.advised = False  # an operator was followed to a good end, or to a PUNT
         self.followed: list[Lesson] = []
         self.deed = 0  # its number, where this is a DO
+        self.complained = False
         self.selection = Selection(self.commons, self.focus, frame.within, frame.threshold)
         self.selection.desperate, self.selection.supposed = frame.desperate, frame.supposed
         graphlet = directive.graphlet
-        if graphlet is None or directive.tag in ("CHK", "FIND"):
+        if graphlet is None or directive.tag in WITHOUT_NODES:
             return
         memory = self.commons.memory
         if directive.tag == "NOTE":
@@ -69,9 +77,9 @@ class RunningStep:
     def operators(self, tag: str) -> Iterator[Chosen]:
         """Applicable operators: ANTE and POST all, prohibitions first; the others in turn by weight.
 
-        For CHK and FIND what is to be found out is entertained as long as they are asked for.
+        For CHK, FIND and ACH what is to be found out or brought about is entertained as long as they are asked for.
         """
-        entertained = self._entertained() if tag in ("CHK", "FIND") else None
+        entertained = self._entertained() if tag in ("CHK", "FIND", "ACH") else None
         if entertained is not None:
             self.selection.node = entertained.node
             self.selection.supposed = self.frame.supposed | entertained.nodes
@@ -82,7 +90,7 @@ class RunningStep:
                 entertained.drop()
 
     def _entertained(self) -> Hypothesis | None:
-        """What this step wants to find out, as nodes that nobody takes for a fact."""
+        """What this step wants found out or brought about, as nodes that nobody takes for a fact."""
         graphlet, binding = self.directive.graphlet, self.frame.binding
         if graphlet is None and (question := self._question()) is not None:
             graphlet, binding = asked_for(question, self.commons.memory)
@@ -158,6 +166,8 @@ class RunningStep:
         frame.deed = self.deed or frame.deed
         if advice.operator.trigger.tag == "NOTE":
             frame.occasion = occasion_of(self.commons, advice.lesson, advice.binding)
+        frame.acts += (self.node,) if self.directive.tag == "DO" and self.node else ()
+        frame.endless = self.frame.endless and _is_bridge(advice.operator.chain)
         if advice.operator.trigger.tag == "NOTE" and self.focus.reaction is None:
             self.focus.reaction = advice.lesson
         verdict = yield from frame.chain(advice.operator.chain)
@@ -166,11 +176,54 @@ class RunningStep:
             self.focus.failure = before
         self.advised = self.advised or verdict.ok or verdict is Verdict.PUNTED
         # A veto stands even where the robot fails at what it should do instead.
-        if verdict is Verdict.FAILED and advice.operator.forbids:
+        if verdict in (Verdict.FAILED, Verdict.STOPPED) and advice.operator.forbids:
             return Verdict.PUNTED
         return verdict
 
+    def pursue(self, advice: Advice) -> Run:
+        """Run the operator's chain until the condition is so; what went wrong on the way does not count then."""
+        before = self.focus.failure
+        verdict = yield from break_off(self.run(advice), self.is_so)
+        if self.directive.tag == "KEEP" and self.frame.made is not None:
+            self.frame.put_away(self.frame.made)
+        if self.is_so():
+            self.focus.failure = before
+        return verdict
+
+    def complain(self, reason: StepReason) -> None:
+        """Say why, the first time only; the focus is not failing."""
+        self.explain(reason)
+        failure, self.focus.failure = self.focus.failure, None
+        if failure is None or self.complained:
+            return
+        self.complained = True
+        self.commons.replies.append(Failed(None, failure.reason, failure.detail, failure.about))
+
+    def waits(self, what: str) -> None:
+        """For whoever asks what a focus waits for."""
+        self.focus.waits.add(what)
+
+    def pause(self, seconds: float) -> Run:
+        """Until the time is up."""
+        until_s = self.commons.tick.now_s + seconds
+        while self.commons.tick.now_s < until_s:
+            self.waits("time")
+            yield
+        return Verdict.SUCCEEDED
+
+    def halt(self) -> None:
+        """End what matches, but for what this is a step of."""
+        if self.directive.graphlet is not None:
+            stop_matching(self.commons, self.directive.graphlet, self.frame.acts)
+
     # -- what directives ask for -----------------------------------------------------------
+
+    def is_so(self) -> bool:
+        """Whether the condition holds."""
+        graphlet, threshold = self.directive.graphlet, self.selection.threshold
+        if graphlet is None:
+            return False
+        return now_so(graphlet, self.commons.memory, self.frame.binding, threshold) is not None
 
     def truth(self) -> bool | None:
         """CHK from memory."""
@@ -203,7 +256,8 @@ class RunningStep:
         if self.node is None:
             return Verdict.FAILED
         act = next(self.node.to("arg"), self.node)
-        return (yield from call(self.commons, self.focus, min(self.node.lex), act))
+        name, endless = min(self.node.lex), self.frame.endless
+        return (yield from call(self.commons, self.focus, name, act, endless))
 
     def learn(self) -> Run:
         """Wait until the lesson is kept, or is not."""
@@ -213,7 +267,7 @@ class RunningStep:
         change = Change(by=lesson.teacher, words=lesson.words, at_s=lesson.at_s, learned=(lesson,))
         key = self.commons.keep(self.focus, change)
         while key in self.commons.pending:
-            self.focus.waits.add("store")
+            self.waits("store")
             yield
         failure = self.focus.failure
         refused = failure is not None and failure.reason == "not_stored"
@@ -259,10 +313,16 @@ class RunningStep:
         """Say why; operators that were left out because they are running already mean recursion."""
         if reason == "prohibited":
             return
-        if reason in ("not_so", "not_known"):
+        if reason in ("not_so", "not_known", "not_achieved"):
             graphlet = self.directive.graphlet
             about = (spelled_out(graphlet, self.frame.binding),) if graphlet else ()
             self.frame.explain(reason, None, about=about)
             return
         why: Reason = "recursion" if reason == "no_way" and self.selection.ruled_out else reason
         self.frame.explain(why, self.node)
+
+
+def _is_bridge(chain: Chain) -> bool:
+    """Whether it does nothing but call a grounding function."""
+    directives = list(chain.directives())
+    return len(chain.plays) == 1 and [d.tag for d in directives] == ["FCN"]

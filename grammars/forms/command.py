@@ -23,6 +23,17 @@ EXAMPLES = (
     "check whether the gripper is empty then drive forward",
     "find out what color the block is",
     "find out what is near",
+    "repeat turn left then turn right three times",
+    "drive forward until something is very close",
+    "turn left while the gripper is empty",
+    "while the gripper is empty, turn left",
+    "keep turning left",
+    "keep backing up until nothing is close",
+    "grab each blue block",
+    "for every block grab it then release it",
+    "make sure the gripper is closed",
+    "keep the gripper closed while driving forward",
+    "wait until the light is green",
 )
 TURNS = frozenset(("left", "right", "clockwise", "counterclockwise", "around"))
 LIFTS = {"up": "raise", "down": "lower"}

@@ -1,9 +1,10 @@
-"""Procedures: operators on DO that say how something is done."""
+"""Procedures: operators on DO that say how something is done, and on ACH that say how it is brought about."""
 
 from __future__ import annotations
 
 from grammars.alist import AList
 from grammars.build import Build, NoMeaningError
+from grammars.clauses import condition
 from grammars.hedges import preference
 from grammars.registry import sentence_form
 from kernel.action.chain import Chain, Directive
@@ -20,20 +21,32 @@ EXAMPLES = (
     "here is how to sweep turn left slowly then turn right slowly",
     "Let me teach you to stretch: raise the lift, wait one second, then lower it.",
     "another way to celebrate is to drive forward then say yay",
+    "to make sure the gripper is closed, close the gripper",
+    "to make the door open push it",
+    "to patrol repeat drive forward then turn left four times",
+    "to calm down stop turning",
 )
 
 
 @sentence_form("procedure", "procedure", EXAMPLES)
 def procedure(alist: AList) -> Teach:
-    """An operator on DO."""
+    """An operator on DO, or on ACH."""
     build = Build()
     said = alist.find("said")
+    if (made := alist.find("conds", "clause")) is not None:
+        conds = made if made.name == "conds" else AList("conds", (made,))
+        return _taught(build, alist, Directive("ACH", condition(build, conds)))
     with build.drawing(pattern=True, trigger=True):
         if said is not None:
             act = build.add("act", said.slot("quote").lower())
         else:
             act = build.action(alist.first("action", "gerunding"))
-        trigger = build.graphlet(act)
+        trigger = Directive("DO", build.graphlet(act))
+    return _taught(build, alist, trigger)
+
+
+def _taught(build: Build, alist: AList, trigger: Directive) -> Teach:
+    """The operator, with the steps and the strength that the sentence gives."""
     chains = [build.chain(part) for part in alist.all("chain")]
     if not chains:
         raise NoMeaningError(str(alist))
@@ -41,4 +54,4 @@ def procedure(alist: AList) -> Teach:
     strength = preference(alist.slot("pref"))
     if alist.find("could") is not None:
         strength = preference("could")
-    return Teach("procedure", Operator(Directive("DO", trigger), chain, preference=strength))
+    return Teach("procedure", Operator(trigger, chain, preference=strength))

@@ -44,7 +44,7 @@ def render(meaning: Meaning | Content, voice: Voice) -> str:
         case Teach(_, content):
             return render(content, voice)
         case Command(chain):
-            told = tuple(d.graphlet for d in chain.directives() if d.graphlet)
+            told = tuple(chain.graphlets())
             return procedure(Telling(told, (), voice), chain)
         case Question():
             return question(meaning, voice)

@@ -26,7 +26,7 @@ def hedge(belief: float) -> str:
 
 def operator(content: Operator, voice: Voice) -> str:
     """The sentence that teaches an operator."""
-    graphlets = [d.graphlet for d in content.chain.directives() if d.graphlet]
+    graphlets = list(content.chain.graphlets())
     trigger = content.trigger.graphlet
     described = (*((trigger,) if trigger else ()), *graphlets)
     telling = Telling(described, (*content.enablement, *content.unless), voice)

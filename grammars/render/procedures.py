@@ -2,17 +2,22 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
+from dataclasses import replace
 
 from grammars.render.clauses import conditions, wonder, wonders
 from grammars.render.deeds import VerbForm, deed
-from grammars.render.telling import Telling
-from grammars.render.things import thing
-from kernel.action.chain import Chain, Directive, Play
+from grammars.render.telling import Telling, is_predicate, linked
+from grammars.render.things import quality, thing
+from kernel.action.chain import Chain, Directive, Loop, Part, Play
+from kernel.net.graphlet import Graphlet
 
 
 def procedure(telling: Telling, chain: Chain, form: VerbForm = "base") -> str:
     """The chain as verb phrases: "drive forward then turn left while saying \\"left\\""."""
+    telling.hold_back(
+        term for graphlet in _watched(chain) for term in graphlet if is_predicate(term)
+    )
     spoken = {
         name
         for directive in chain.directives()
@@ -21,6 +26,17 @@ def procedure(telling: Telling, chain: Chain, form: VerbForm = "base") -> str:
         if (directive.tag, name) != ("FIND", directive.graphlet.main)
     }
     return " then ".join(filter(None, (_play(telling, p, form, spoken) for p in chain.plays)))
+
+
+def _watched(chain: Chain) -> Iterator[Graphlet]:
+    """What is to become so: no description of anything yet."""
+    for directive in chain.directives():
+        if directive.tag in ("ACH", "KEEP", "WAIT") and directive.graphlet is not None:
+            yield directive.graphlet
+    for play in chain.plays:
+        for part in (*play.required, *play.auxiliary):
+            if isinstance(part, Loop):
+                yield from (g for g in (part.until, part.whilst) if g is not None)
 
 
 def without(chain: Chain, tag: str) -> Chain:
@@ -33,12 +49,16 @@ def without(chain: Chain, tag: str) -> Chain:
     return Chain(tuple(plays))
 
 
-def _kept(parts: Iterable[Directive | Chain], tag: str) -> tuple[Directive | Chain, ...]:
+def _kept(parts: Iterable[Part], tag: str) -> tuple[Part, ...]:
     return tuple(
-        without(part, tag) if isinstance(part, Chain) else part
-        for part in parts
-        if not (isinstance(part, Directive) and part.tag == tag)
+        _less(part, tag) for part in parts if not (isinstance(part, Directive) and part.tag == tag)
     )
+
+
+def _less(part: Part, tag: str) -> Part:
+    if isinstance(part, Loop):
+        return replace(part, body=without(part.body, tag))
+    return without(part, tag) if isinstance(part, Chain) else part
 
 
 def _play(telling: Telling, play: Play, form: VerbForm, spoken: set[str]) -> str:
@@ -49,9 +69,11 @@ def _play(telling: Telling, play: Play, form: VerbForm, spoken: set[str]) -> str
     return f"{together} while {meanwhile}" if meanwhile else together
 
 
-def _part(telling: Telling, part: Directive | Chain, form: VerbForm, spoken: set[str]) -> str:
+def _part(telling: Telling, part: Part, form: VerbForm, spoken: set[str]) -> str:
     if isinstance(part, Chain):
         return procedure(telling, part, form)
+    if isinstance(part, Loop):
+        return _loop(telling, part)
     if part.graphlet is None:
         return ""
     main = part.graphlet.main
@@ -64,8 +86,69 @@ def _part(telling: Telling, part: Directive | Chain, form: VerbForm, spoken: set
             return f"check whether {conditions(telling, part.graphlet)}"
         case "ACH":
             return f"make sure {conditions(telling, part.graphlet)}"
+        case "KEEP":
+            return _kept_so(telling, part.graphlet, "keep" if form == "base" else "keeping")
+        case "WAIT":
+            return f"wait until {conditions(telling, part.graphlet)}"
+        case "STOP":
+            return f"stop {deed(telling, main, 'gerund')}"
         case "FCN":
             return "do it"  # a skill of the body has no steps to tell
         case "NOTE":
             return f"note that {conditions(telling, part.graphlet)}"
     return deed(telling, main, form)
+
+
+def _kept_so(telling: Telling, graphlet: Graphlet, verb: str) -> str:
+    """ "Keep the gripper closed"."""
+    term = telling.term(graphlet.main)
+    telling.stated.add(term.name)
+    kept = thing(telling, linked(term, "hq"))
+    return f"{verb} {kept} {quality(telling, term)}"
+
+
+def _loop(telling: Telling, loop: Loop) -> str:
+    """ "Repeat turn left then turn right 3 times"; one play alone needs no "repeat" before "until" and "while"."""
+    if loop.each is not None:
+        if not _taken(loop):
+            each = thing(telling, loop.each.main)
+            return f"for {each}, {procedure(telling, loop.body)}"
+        return procedure(telling, loop.body)
+    if loop.times is None and loop.until is None and loop.whilst is None:
+        return f"keep {procedure(telling, loop.body, 'gerund')}"
+    if loop.whilst is not None and _plain(loop.body) and _meant(loop):
+        return f"while {conditions(telling, loop.whilst)}, {procedure(telling, loop.body)}"
+    body = procedure(telling, loop.body)
+    if loop.times is not None or not _plain(loop.body):
+        body = f"repeat {body}"
+    if loop.times is not None:
+        body += f" {loop.times} times"
+    if loop.until is not None:
+        body += f" until {conditions(telling, loop.until)}"
+    if loop.whilst is not None:
+        body += f" while {conditions(telling, loop.whilst)}"
+    return body
+
+
+def _plain(chain: Chain) -> bool:
+    """One play of acts."""
+    parts = chain.plays[0].required if len(chain.plays) == 1 else ()
+    return bool(parts) and all(isinstance(part, Directive) and part.tag == "DO" for part in parts)
+
+
+def _meant(loop: Loop) -> bool:
+    """Whether the body acts on what its condition describes: "while something is close, push it"."""
+    described = loop.whilst.names if loop.whilst is not None else frozenset()
+    return any(described & graphlet.mentioned for graphlet in loop.body.graphlets())
+
+
+def _taken(loop: Loop) -> bool:
+    """Whether the thing stands in the body as what is acted on or spoken to: "grab each block"."""
+    if loop.each is None or not _plain(loop.body):
+        return False
+    return any(
+        other == loop.each.main and (role == "obj" or (role == "dest" and "say" in term.lex))
+        for graphlet in loop.body.graphlets()
+        for term in graphlet
+        for role, other in term.links
+    )

@@ -89,6 +89,12 @@ def _not_so(reply: Failed) -> str:
     return claim_in_words(reply.about[0].denied())
 
 
+def _not_achieved(reply: Failed) -> str:
+    if not reply.about:
+        return "I don't know how to make that so"
+    return f"I could not make sure that {claim_in_words(reply.about[0])}"
+
+
 def _not_known(reply: Failed) -> str:
     return f"I could not find out {_wondered(reply)}"
 
@@ -134,6 +140,8 @@ _SENTENCES: Final[dict[Reason, Callable[[Failed], str]]] = {
     "resource_lost": lambda r: f"I gave up {_act(r, 'gerund')} as something else kept me busy",
     "recursion": lambda r: f"I can't {_act(r)} as that would never end",
     "too_deep": lambda r: f"I can't {_act(r)} as that has too many steps within steps",
+    "runaway": lambda r: "I stopped repeating that as it took no time at all",
+    "not_achieved": _not_achieved,
     "conflict": _conflict,
     "no_room": lambda r: "I have too much on my mind, please say that again later",
     "not_stored": lambda r: f"I could not keep that{': ' + r.detail if r.detail else ''}",

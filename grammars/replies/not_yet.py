@@ -12,10 +12,8 @@ _BEYOND: Final = {
     "revision": "change what I was taught",
     "undo": "take a lesson back",
     "forget": "forget a lesson",
-    "resume": "go on with what was interrupted",
     "repeat": "repeat that",
     "learned": "list what I learned",
-    "cancel": "drop a request",
 }
 
 

@@ -154,12 +154,14 @@ class Call:
         depth: level up to which nodes and words count.
         ticket: number of this action, for its bids.
         fresh: gives further tickets, for an action of several motions.
+        endless: it is to go on until it is ended from outside: "drive until something is close" has no distance.
     """
 
     act: Node
     depth: int
     ticket: int
     fresh: Callable[[], int] = int
+    endless: bool = False
 
     @property
     def verb(self) -> str:

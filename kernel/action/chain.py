@@ -13,7 +13,7 @@ from typing import Final
 from kernel.net.graphlet import Graphlet
 
 PAPER_TAGS: Final = ("NOTE", "DO", "ANTE", "POST", "CHK", "FIND", "ACH", "KEEP", "PUNT", "FCN")
-OUR_TAGS: Final = ("ADD", "ALLOW", "ASK", "EXCUSE")
+OUR_TAGS: Final = ("ADD", "ALLOW", "ASK", "EXCUSE", "STOP", "WAIT")
 
 
 @dataclass(frozen=True, slots=True)
@@ -26,15 +26,15 @@ class Directive:
 
 @dataclass(frozen=True, slots=True)
 class Play:
-    """Directives (or whole chains) side by side.
+    """Directives (or whole chains, or loops) side by side.
 
     Attributes:
         required: all must succeed; one failing ends the others and the play.
         auxiliary: run beside the required ones and end with them.
     """
 
-    required: tuple[Directive | Chain, ...]
-    auxiliary: tuple[Directive | Chain, ...] = ()
+    required: tuple[Part, ...]
+    auxiliary: tuple[Part, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)
@@ -52,16 +52,70 @@ class Chain:
                 else:
                     yield from part.directives()
 
+    def graphlets(self) -> Iterator[Graphlet]:
+        """Every graphlet in reading order, however deep: those of directives, and what loops ask for."""
+        for play in self.plays:
+            for part in (*play.required, *play.auxiliary):
+                if not isinstance(part, Directive):
+                    yield from part.graphlets()
+                elif part.graphlet is not None:
+                    yield part.graphlet
+
     @property
     def parallel(self) -> bool:
         """True where some play holds two things at once."""
         return any(
             len(play.required) + len(play.auxiliary) > 1
-            or any(isinstance(p, Chain) and p.parallel for p in (*play.required, *play.auxiliary))
+            or any(
+                not isinstance(part, Directive) and part.parallel
+                for part in (*play.required, *play.auxiliary)
+            )
             for play in self.plays
         )
 
 
-def sequence(*parts: Directive | Chain) -> Chain:
+@dataclass(frozen=True, slots=True)
+class Loop:
+    """A chain that is run again and again (mind.md: "chains may loop"; how a loop is written is ours).
+
+    Attributes:
+        body: what is repeated.
+        times: so often, or None.
+        until: it ends, and succeeds, as soon as this is so, even in the middle of the body.
+        whilst: the same as soon as this is not so: false or unknown.
+        each: once for each known thing of this description, its main name bound to the thing.
+
+    Without any of these it goes on until it is stopped.
+    """
+
+    body: Chain
+    times: int | None = None
+    until: Graphlet | None = None
+    whilst: Graphlet | None = None
+    each: Graphlet | None = None
+
+    def directives(self) -> Iterator[Directive]:
+        """Those of the body."""
+        return self.body.directives()
+
+    def conditions(self) -> Iterator[Graphlet]:
+        """What it asks for, in the order of writing."""
+        return (graphlet for graphlet in (self.until, self.whilst, self.each) if graphlet)
+
+    def graphlets(self) -> Iterator[Graphlet]:
+        """What it asks for, then those of the body."""
+        yield from self.conditions()
+        yield from self.body.graphlets()
+
+    @property
+    def parallel(self) -> bool:
+        """As the body."""
+        return self.body.parallel
+
+
+Part = Directive | Chain | Loop
+
+
+def sequence(*parts: Part) -> Chain:
     """A chain of one-part plays."""
     return Chain(tuple(Play((part,)) for part in parts))

@@ -18,11 +18,15 @@ class Edge:
         key: names the sensed fact; the same key ends it.
         fact: names in it that another held fact of the sense uses mean the same node.
         fleeting: an event, not a state: it is not held.
+        part: (name in the fact, noun): the name means the robot's own part of that noun, "gripper".
+        noted: False where it was so before anybody looked: it is held, and nothing reacts to it.
     """
 
     key: str
     fact: Graphlet | None
     fleeting: bool = False
+    part: tuple[str, str] | None = None
+    noted: bool = True
 
 
 class Sense(Protocol):

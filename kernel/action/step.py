@@ -8,7 +8,7 @@ from typing import Final, Literal, Protocol
 from kernel.action.verdict import Verdict
 
 Run = Generator[None, None, Verdict]
-StepReason = Literal["no_way", "prohibited", "nothing_found", "not_so", "not_known"]
+StepReason = Literal["no_way", "prohibited", "nothing_found", "not_so", "not_known", "not_achieved"]
 
 
 class Advice(Protocol):
@@ -26,6 +26,24 @@ class Step(Protocol):
 
     def run(self, advice: Advice) -> Run:
         """Run an operator's chain."""
+
+    def pursue(self, advice: Advice) -> Run:
+        """Run an operator's chain, and end it as soon as the condition is so."""
+
+    def is_so(self) -> bool:
+        """Whether the condition of this step is so now."""
+
+    def waits(self, what: str) -> None:
+        """Name what it waits for, before every yield."""
+
+    def pause(self, seconds: float) -> Run:
+        """Let time pass."""
+
+    def complain(self, reason: StepReason) -> None:
+        """Say why, once, without failing."""
+
+    def halt(self) -> None:
+        """End every act that matches the graphlet, in whatever is going on."""
 
     def truth(self) -> bool | None:
         """Whether memory holds the graphlet (True), its denial (False), or neither."""
@@ -53,6 +71,21 @@ class Step(Protocol):
 
     def explain(self, reason: StepReason) -> None:
         """Say why this step fails, unless something below it has said so already."""
+
+
+def break_off(run: Run, over: Callable[[], bool]) -> Run:
+    """Run it, and end it, succeeding, as soon as `over` says so: in that very tick, before it gets its turn."""
+    try:
+        while not over():
+            try:
+                next(run)
+            except StopIteration as end:
+                verdict: Verdict = end.value
+                return verdict
+            yield
+    finally:
+        run.close()
+    return Verdict.SUCCEEDED
 
 
 DirectiveCode = Callable[[Step], Run]

@@ -29,6 +29,7 @@ What = Literal[
     "answered",
     "yielded",  # more steps than a tick may take: the focus goes on in the next; data steps
     "stopped",
+    "halted",  # one act was stopped while others go on: data text
     "identity",
     "error",
 ]

@@ -11,14 +11,17 @@ def do(step: Step) -> Run:
     """Prepare with every ANTE operator, act with DO operators until one succeeds, tidy up with every POST operator.
 
     A failing ANTE or POST operator changes nothing; a PUNT in an ANTE operator is a prohibition and fails the
-    directive before anything moves.
+    directive before anything moves. What is stopped ends with that: nothing else is tried, nothing is tidied up (ours).
 
     Source: Connell 2019, section 3. POST after a PUNT is not stated there; it runs only once acting was allowed.
     """
     for operator in step.operators("ANTE"):
-        if (yield from step.run(operator)) is Verdict.PUNTED:
+        verdict = yield from step.run(operator)
+        if verdict is Verdict.PUNTED:
             step.explain("prohibited")
             return Verdict.FAILED
+        if verdict is Verdict.STOPPED:
+            return verdict
 
     outcome = Verdict.FAILED
     for _ in range(step.times()):
@@ -26,6 +29,8 @@ def do(step: Step) -> Run:
         if outcome is not Verdict.SUCCEEDED:
             break
 
+    if outcome is Verdict.STOPPED:
+        return outcome
     for operator in step.operators("POST"):
         yield from step.run(operator)
     return outcome
@@ -38,7 +43,7 @@ def _act(step: Step) -> Run:
         for operator in step.operators("DO"):
             tried = True
             verdict = yield from step.run(operator)
-            if verdict is Verdict.SUCCEEDED:
+            if verdict in (Verdict.SUCCEEDED, Verdict.STOPPED):
                 return verdict
             if verdict is Verdict.PUNTED:
                 return Verdict.FAILED

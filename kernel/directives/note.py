@@ -15,7 +15,7 @@ def note(step: Step) -> Run:
     """
     for operator in step.operators("NOTE"):
         verdict = yield from step.run(operator)
-        if verdict is Verdict.PUNTED:
+        if verdict in (Verdict.PUNTED, Verdict.STOPPED):
             return verdict
         if verdict.ok:
             break

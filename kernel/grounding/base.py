@@ -36,7 +36,7 @@ ROUND: Final = {"left": 1.0, "counterclockwise": 1.0, "right": -1.0, "clockwise"
 
 @grounding_function("base_drive", verbs=("drive", "move", "go", "step", "roll"))
 def base_drive(call: Call, tick: Tick) -> Act:
-    """Drive straight until the distance or time is run.
+    """Drive straight until the distance or time is run; endlessly, where no amount was said, if the call is so.
 
     Reads direction, pace and amount from any word under the action node, so "drive forward slowly" needs no operator
     of its own. When it ends the wheels stop, because nobody bids for them.
@@ -58,6 +58,8 @@ def base_drive(call: Call, tick: Tick) -> Act:
             distance = number * METERS[unit]
         else:
             raise NotGroundedError(call.verb, unit)
+    elif call.endless and not _a_little(call):
+        return (yield from motion(Bid("wheels", Travel(sign * speed, None), call.ticket), tick))
     if distance > FARTHEST_M + SLOP:
         raise LimitError(call.verb, "2 meters")
     if distance <= 0:
@@ -68,7 +70,7 @@ def base_drive(call: Call, tick: Tick) -> Act:
 
 @grounding_function("base_turn", verbs=("turn", "rotate", "spin"))
 def base_turn(call: Call, tick: Tick) -> Act:
-    """Turn in place by an angle.
+    """Turn in place by an angle; endlessly, where no amount was said, if the call is so.
 
     Raises:
         NotGroundedError: the words name no direction this base knows.
@@ -94,6 +96,8 @@ def base_turn(call: Call, tick: Tick) -> Act:
             angle = math.radians(number)
         else:
             raise NotGroundedError(call.verb, unit)
+    elif call.endless and not _a_little(call):
+        return (yield from motion(Bid("wheels", Rotate(sign * rate, None), call.ticket), tick))
     if angle > WIDEST_RAD + SLOP:
         raise LimitError(call.verb, "720 degrees")
     if angle <= 0:

@@ -1,4 +1,4 @@
-"""What the robot notices by itself: nearness, holding, being stuck, a low battery.
+"""What the robot notices by itself: nearness, holding, being stuck, a low battery, the state of its parts.
 
 Source: Connell 2019, section 4 (the rangefinder asserts "There is something very close" at 5 cm); the other senses and
 the hysteresis are ours (mind.md).
@@ -17,6 +17,8 @@ CLOSE_M: Final = (0.15, 0.17)
 VERY_CLOSE_M: Final = (0.05, 0.06)
 FAR_M: Final = (0.28, 0.30)
 BATTERY_LOW_V: Final = (6.6, 6.9)
+# The same for lift and gripper, as parts of their whole travel: at its end, and not any more.
+AT_END: Final = (0.02, 0.06)
 
 
 def _quality(name: str, word: str, of: str, *more: Term) -> Graphlet:
@@ -43,6 +45,50 @@ FACTS: Final = {
         "act-12",
     ),
 }
+
+PARTS: Final = {
+    "gripper closed": ("gripper", "closed"),
+    "gripper open": ("gripper", "open"),
+    "gripper empty": ("gripper", "empty"),
+    "lift up": ("lift", "up"),
+    "lift down": ("lift", "down"),
+}
+
+
+@sense("parts")
+class Parts:
+    """What state gripper and lift are in (ours): closed, on something or as far as it goes; open; empty; up; down.
+
+    What is so at the first look is held, and nothing reacts to it: the robot was made that way.
+    """
+
+    def __init__(self) -> None:
+        self._now: set[str] | None = None
+
+    def update(self, body: BodyState) -> list[Edge]:
+        """Edges since the last report; while the link is down nothing is known to change."""
+        if not body.connected:
+            return []
+        before, first = self._now or set(), self._now is None
+        self._now = now = self._seen(body, before)
+        edges = [Edge(key, None) for key in PARTS if key in before - now]
+        for key, (noun, word) in PARTS.items():
+            if key in now - before:
+                fact = _quality(f"hq-{20 + len(key)}", word, "obj-20")
+                edges.append(Edge(key, fact, part=("obj-20", noun), noted=not first))
+        return edges
+
+    def _seen(self, body: BodyState, before: set[str]) -> set[str]:
+        """Those whose end is near enough; a part of the travel is what it is away from it."""
+        away = {
+            "gripper closed": 0.0 if body.holding else body.grip,
+            "gripper open": 1.0 - body.grip,
+            "gripper empty": 1.0 if body.holding else 0.0,
+            "lift up": 1.0 - body.lift,
+            "lift down": body.lift,
+        }
+        enter, leave = AT_END
+        return {key for key, way in away.items() if way < (leave if key in before else enter)}
 
 
 @sense("watch")

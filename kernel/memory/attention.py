@@ -9,6 +9,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass, field
 from typing import Final
 
+from kernel.action.chain import Chain
 from kernel.action.step import Run
 from kernel.action.verdict import Verdict
 from kernel.memory.inference import Inference
@@ -16,6 +17,7 @@ from kernel.memory.lesson import Lesson
 from kernel.memory.meaning import Heard
 from kernel.memory.reply import Reason, Reply
 from kernel.net.graphlet import Graphlet
+from kernel.net.match import Binding
 from kernel.net.node import Node
 
 ROOM: Final = 32  # foci, handled ones included
@@ -42,6 +44,23 @@ class Failure:
     steps: tuple[Inference, ...] = ()
 
 
+@dataclass(frozen=True, slots=True)
+class Progress:
+    """How far a command has come.
+
+    Attributes:
+        words: the utterance it came from.
+        chain: the whole command.
+        at: index of the play that runs now.
+        binding: what its look-ups have found so far.
+    """
+
+    words: str
+    chain: Chain
+    at: int
+    binding: Binding
+
+
 @dataclass(slots=True, eq=False)
 class Focus:
     """One thing in attention.
@@ -57,6 +76,7 @@ class Focus:
         reaction: the NOTE operator it followed first; lesson: what it is to learn.
         said: how often it has spoken.
         excuse: the reply that explains a failure; this focus notes that failure.
+        progress: how far its command has come, None for what is no command.
         preempted: when which lesson's reaction took a resource from it, s.
         waits: what its chains wait for: the grounding functions, the store, a condition, an answer; set by whatever
             yields, so that nothing waits for nothing.
@@ -74,6 +94,7 @@ class Focus:
     lesson: Lesson | None = None
     said: int = 0
     excuse: Reply | None = None
+    progress: Progress | None = None
     preempted: list[tuple[float, int]] = field(default_factory=list)
     waits: set[str] = field(default_factory=set)
 

@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterable, Iterator
 from dataclasses import replace
 from typing import Any, TypeVar
 
-from kernel.action.chain import Chain, Directive, Play, sequence
+from kernel.action.chain import Chain, Directive, Loop, Part, Play, sequence
 from kernel.memory.lesson import Content, Operator, Rule
 from kernel.memory.meaning import (
     Choice,
@@ -103,7 +103,7 @@ def _graphlets(content: Written) -> Iterator[Graphlet]:
             yield from (g for g in (trigger.graphlet, *enablement, *unless) if g)
             yield from _graphlets(chain)
         case Chain():
-            yield from (d.graphlet for d in content.directives() if d.graphlet)
+            yield from content.graphlets()
 
 
 def _renamed(content: W, names: dict[str, str]) -> W:
@@ -126,6 +126,14 @@ def _mapped(content: Any, change: Callable[[Graphlet], Graphlet]) -> Any:
                     )
                     for play in plays
                 )
+            )
+        case Loop():
+            return replace(
+                content,
+                body=_mapped(content.body, change),
+                until=change(content.until) if content.until else None,
+                whilst=change(content.whilst) if content.whilst else None,
+                each=change(content.each) if content.each else None,
             )
         case Rule():
             return replace(
@@ -166,12 +174,16 @@ def _sorted(content: Any) -> Any:
     def order(parts: Iterable[Any]) -> tuple[Any, ...]:
         return tuple(sorted(parts, key=lambda part: _blotted(part, shared)))
 
+    def inner(part: Part) -> Part:
+        if isinstance(part, Loop):
+            return replace(part, body=chain(part.body))
+        return chain(part) if isinstance(part, Chain) else part
+
     def chain(value: Chain) -> Chain:
         plays = []
         for play in value.plays:
             required, auxiliary = (
-                order([chain(p) if isinstance(p, Chain) else p for p in parts])
-                for parts in (play.required, play.auxiliary)
+                order([inner(part) for part in parts]) for parts in (play.required, play.auxiliary)
             )
             plays.append(Play(required, auxiliary))
         return Chain(tuple(plays))
@@ -191,14 +203,15 @@ def _sorted(content: Any) -> Any:
     return content
 
 
-def _blotted(part: Graphlet | Directive | Chain, shared: dict[str, str]) -> tuple[str, list[str]]:
+def _blotted(part: Graphlet | Part, shared: dict[str, str]) -> tuple[str, list[str]]:
     as_chain = part if isinstance(part, Chain) else None
+    as_chain = sequence(part) if isinstance(part, Loop) else as_chain
     if isinstance(part, Graphlet):
         parts = [part]
     elif isinstance(part, Directive):
         parts = [part.graphlet] if part.graphlet else []
     else:
-        parts = list(_graphlets(part))
+        parts = list(part.graphlets())
     names = canonical_names(parts) if parts else {}
     links = [shared.get(name, "") for name in names]
     if as_chain is not None:
@@ -246,8 +259,8 @@ def _chain_lines(chain: Chain) -> list[str]:
     lines: list[str] = []
     for play in chain.plays:
         alone = len(play.required) == 1 and not play.auxiliary
-        if alone and isinstance(play.required[0], Directive):
-            lines += _directive_lines(play.required[0])
+        if alone and not isinstance(play.required[0], Chain):
+            lines += _part_lines(play.required[0])
             continue
         inner = [line for part in play.required for line in _part_lines(part)]
         if play.auxiliary:
@@ -256,7 +269,16 @@ def _chain_lines(chain: Chain) -> list[str]:
     return lines
 
 
-def _part_lines(part: Directive | Chain) -> list[str]:
+def _part_lines(part: Part) -> list[str]:
     if isinstance(part, Directive):
         return _directive_lines(part)
+    if isinstance(part, Loop):
+        return ["LOOP{", *("  " + line for line in _loop_lines(part)), "}"]
     return ["CHAIN{", *("  " + line for line in _chain_lines(part)), "}"]
+
+
+def _loop_lines(loop: Loop) -> list[str]:
+    lines = [] if loop.times is None else [f"times: {loop.times}"]
+    for name, graphlet in (("until", loop.until), ("while", loop.whilst), ("each", loop.each)):
+        lines += _block(f"{name}: ", write_terms(graphlet)) if graphlet else []
+    return [*lines, *_chain_lines(loop.body)]

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 
-from kernel.action.chain import Chain, Directive, Play
+from kernel.action.chain import Chain, Directive, Loop, Part, Play
 from kernel.errors import NotationError
 from kernel.memory.lesson import Content, Operator, Rule
 from kernel.net.graphlet import Graphlet
@@ -71,23 +71,44 @@ class Reader:
             if self._next_is("open", "PLAY{"):
                 self._take("open")
                 required = self._parts()
-                auxiliary: tuple[Directive | Chain, ...] = ()
+                auxiliary: tuple[Part, ...] = ()
                 if self._next_is("word"):
                     self._take("word")
                     auxiliary = self._parts()
                 self._take("close", "}")
                 plays.append(Play(required, auxiliary))
+            elif self._next_is("open", "LOOP{"):
+                plays.append(Play((self._loop(),)))
             else:
                 plays.append(Play((self._directive(),)))
         return Chain(tuple(plays))
 
-    def _parts(self) -> tuple[Directive | Chain, ...]:
-        found: list[Directive | Chain] = []
+    def _loop(self) -> Loop:
+        self._take("open")
+        times = None
+        if self._next_is("section", "times"):
+            self._take("section")
+            token = self._take("item")
+            if not token.text.isdecimal():
+                raise NotationError(token.line, token.text, "a whole number after times:")
+            times = int(token.text)
+        until, whilst, each = (
+            self._section(name) if self._next_is("section", name) else None
+            for name in ("until", "while", "each")
+        )
+        body = self.chain()
+        self._take("close", "}")
+        return Loop(body, times, until, whilst, each)
+
+    def _parts(self) -> tuple[Part, ...]:
+        found: list[Part] = []
         while self._next_is("open"):
             if self._next_is("open", "CHAIN{"):
                 self._take("open")
                 found.append(self.chain())
                 self._take("close", "}")
+            elif self._next_is("open", "LOOP{"):
+                found.append(self._loop())
             else:
                 found.append(self._directive())
         return tuple(found)

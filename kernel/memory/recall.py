@@ -118,6 +118,27 @@ def holding(
             yield binding
 
 
+def now_so(
+    graphlet: Graphlet, memory: WorkingMemory, binding: Binding, threshold: float
+) -> Binding | None:
+    """How a watched condition holds, None where it does not: that of a loop, of WAIT, ACH and KEEP.
+
+    A denied one ("nothing is close", "the gripper is not closed") holds where it is known, and where its contrary is
+    not (ours: the senses post what is so, never what is not).
+    """
+    memory.refresh()
+    bound = known(graphlet, memory.persons(graphlet, binding))
+
+    def found(pattern: Graphlet) -> Binding | None:
+        every = matches(pattern, memory.net, REMEMBERED, bound, threshold)
+        return next(filter(is_so, every), None)
+
+    if (so := found(graphlet)) is not None:
+        return so
+    denied = any(term.negated for term in graphlet.terms if term.name == graphlet.main)
+    return {} if denied and found(graphlet.denied()) is None else None
+
+
 def answer(question: Question, memory: WorkingMemory) -> Answer:
     """What memory has to say to a question about what is so."""
     about = question.about

@@ -24,6 +24,8 @@ Reason = Literal[
     "resource_lost",
     "recursion",
     "too_deep",
+    "runaway",  # a loop went round and round and no time passed
+    "not_achieved",  # no way known, or none left, to make something so
     "conflict",  # two parts of one play want the same thing; detail names it
     "no_room",
     "not_stored",  # a lesson could not be made durable; detail says why
@@ -125,9 +127,25 @@ class Greeted:
 
 @dataclass(frozen=True, slots=True)
 class Halted:
-    """Everything was stopped. was_busy: something was going on."""
+    """Everything was stopped, or all that `about` describes. was_busy: something (of the sort) was going on."""
 
     was_busy: bool
+    about: Graphlet | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Dropped:
+    """A request was given up. request: its words, "" where there was none."""
+
+    request: str
+
+
+@dataclass(frozen=True, slots=True)
+class Resumed:
+    """A request that was broken off goes on. request: its words, "" where there was none; afresh: from its start."""
+
+    request: str
+    afresh: bool = False
 
 
 @dataclass(frozen=True, slots=True)
@@ -148,6 +166,8 @@ Reply = (
     | Met
     | Greeted
     | Halted
+    | Dropped
+    | Resumed
     | NotYet
     | Explanation
 )

@@ -40,10 +40,11 @@ class WorkingMemory:
         self.me = self.net.new("self", "you")
         self._anyone = self.net.new("user", "me")
         self.user = self._anyone
+        self._parts: dict[str, Node] = {}
         self._born = frozenset(node for part in parts for node in self._part(part))
 
     def _part(self, noun: str) -> tuple[Node, ...]:
-        thing = self.net.new("obj")
+        thing = self._parts[noun] = self.net.new("obj")
         kind = self.net.new("ako", noun, ako=thing)
         mine = self.net.new("own", own=thing, of=self.me)
         return thing, kind, mine
@@ -172,18 +173,32 @@ class WorkingMemory:
         kept = self._kept() | set(self._roots())
         for node in nodes:
             is_person = node is self.me or node.kind == "user"
-            if not (is_person or node in kept or any(other in kept for _, other in node.into)):
+            if not (
+                is_person
+                or node in kept
+                or any(role != "cmd" and other in kept for role, other in node.into)
+            ):
                 self.net.drop(node)
         self.changed()
 
     # -- what is sensed --------------------------------------------------------------------
 
-    def sense(self, key: str, fact: Graphlet) -> tuple[Node, ...]:
+    def sense(
+        self, key: str, fact: Graphlet, part: tuple[str, str] | None = None
+    ) -> tuple[Node, ...]:
         """Hold a sensed fact under a key until `unsense`; return its nodes.
 
         Names that other held facts use mean the same nodes: "very close" modifies the "close" that is held.
+
+        Args:
+            key: of the fact, for its end.
+            fact: what is so.
+            part: a name in the fact, and the noun of the robot's own part that it means.
         """
         known = self.persons(fact, self._sensed_names)
+        if part is not None:
+            name, noun = part
+            known[name] = self._parts[noun]
         bound = self.instantiate(fact, known)
         new = {name: node for name, node in bound.items() if name not in known}
         self._sensed_names |= new

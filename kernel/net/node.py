@@ -221,6 +221,18 @@ def _names(graphlet: Graphlet) -> list[str]:
     return names
 
 
+def descriptions(node: Node) -> list[Node]:
+    """Predicates that say which thing it is. The state that a part of the robot's own is in is none of them."""
+    part = any(role == "own" and any("you" in o.lex for o in p.to("of")) for role, p in node.into)
+    return [
+        predicate
+        for role, predicate in node.into
+        if role in MODIFIER_ROLES
+        and predicate.level != HYPOTHETICAL
+        and not (part and role == "hq")
+    ]
+
+
 def describe(
     node: Node,
     limit: int = 40,
@@ -248,9 +260,7 @@ def describe(
         terms[here] = Term(here.name, words, here.literal, "", here.negated, here.belief, links)
         pending += [other for role, other in here.links if role != "cmd"]
         pending += [
-            p
-            for role, p in here.into
-            if role in MODIFIER_ROLES and p.level <= depth and not (told_only and p.rule)
+            p for p in descriptions(here) if p.level <= depth and not (told_only and p.rule)
         ]
     shown = {n.name for n in terms}
     kept = tuple(t for t in terms.values() if all(other in shown for _, other in t.links))

@@ -306,9 +306,48 @@ def test_stop_words(text: str, is_one: bool) -> None:
     assert is_stop(text) is is_one
 
 
+@pytest.mark.parametrize(
+    ("text", "everything"),
+    [
+        ("stop turning", False),
+        ("robot, stop turning please", False),
+        ("quit turning", False),
+        ("stop everything", True),
+        ("stop turning you stupid zork", True),
+        ("stop zorking blorks", True),
+        ("stop", True),
+        ("stop it now", True),
+    ],
+)
+def test_only_what_is_understood_as_stopping_one_activity_spares_the_rest(
+    text: str, everything: bool
+) -> None:
+    bench = Bench()
+    bench.say("drive forward one meter and turn left slowly", wait=False)
+    bench.say("raise the lift all the way", wait=False)
+    bench.run(0.3)
+    bench.say(text, wait=False)
+    assert bool(bench.all(events.Stopped)) is everything
+    bench.run(2.0)
+    assert (bench.cycle.state.lift < 0.9) is everything
+    assert (bench.x_cm < 15) is everything
+    ended = [e for e in bench.all(events.ActionEnded) if e.function == "base_turn"]
+    assert [e.verdict for e in ended] == ["stopped"]
+
+
+def test_a_command_behind_stop_doing_still_runs_once_all_has_stopped() -> None:
+    bench = Bench()
+    bench.say("drive forward one meter", wait=False)
+    bench.run(0.3)
+    bench.say("stop turning then raise the lift")
+    assert bench.all(events.Stopped)
+    assert bench.cycle.state.lift > 0.4
+    assert bench.x_cm < 15
+
+
 def test_meanings_that_stop_everything() -> None:
     assert halts(Control("stop"))
-    assert halts(Control("stop", read("act-1 -lex- turn")))  # type: ignore[arg-type]
+    assert not halts(Control("stop", read("act-1 -lex- turn")))  # type: ignore[arg-type]
     assert halts(Feedback(good=False, stop=True))
     assert not halts(Control("undo"))
     assert not halts(Feedback(good=False))

@@ -5,7 +5,7 @@ from __future__ import annotations
 from hypothesis import strategies as st
 from hypothesis.strategies import DrawFn, SearchStrategy
 
-from kernel.action.chain import Chain, Directive, Play
+from kernel.action.chain import Chain, Directive, Loop, Play
 from kernel.memory.lesson import Operator, Rule
 from kernel.memory.meaning import Command, Fact, Meaning, Teach
 from kernel.net.graphlet import Graphlet, Sketch
@@ -165,6 +165,67 @@ class Draft:
             self.add("ako", "color", ako=wanted)
         return Directive("FIND", self.graphlet(wanted))
 
+    def condition(self) -> Graphlet:
+        """What a loop or a wait looks out for; of no person, as "nobody" is not taken up again by "they" everywhere."""
+        self.kinds = [kind for kind in self.kinds if kind != "person"]
+        board, self.board = self.board, []
+        main = self.statement(self.thing("a", deep=False))
+        condition = self.graphlet(main)
+        self.board = board
+        return condition
+
+    def loop(self) -> list[Play]:
+        """A loop; where it has a number or is for each thing it ends the chain, as more would be read into it."""
+        sort = self.one_of("times", "until", "while", "ever", "each")
+        if sort == "each":
+            each = self.add("obj", ref="each")
+            self.add("ako", self.kinds.pop(), ako=each)
+            described = self.graphlet(each)
+            act = self.add("act", self.one_of(*VERBS), obj=each)
+            acts = [Play((Directive("DO", self.graphlet(act)),))]
+            if self.maybe():
+                acts.append(self.turning())
+            return [Play((Loop(Chain(tuple(acts)), each=described),))]
+        plays = [self.turning() for _ in range(self.draw(st.integers(1, 2)))]
+        condition = self.condition() if sort in ("until", "while") else None
+        loop = Loop(
+            Chain(tuple(plays)),
+            self.draw(st.integers(1, 12)) if sort == "times" else None,
+            until=condition if sort == "until" else None,
+            whilst=condition if sort == "while" else None,
+        )
+        return [Play((loop,))]
+
+    def turning(self) -> Play:
+        """A turn, with nothing that could be taken for the loop's own."""
+        act = self.add("act", "turn")
+        self.add("dir", self.one_of("left", "around"), dir=act)
+        return Play((Directive("DO", self.graphlet(act)),))
+
+    def watching(self) -> list[Play]:
+        """Something made sure of, kept so, waited for, or stopped."""
+        tag = self.one_of("ACH", "KEEP", "beside", "WAIT", "STOP")
+        if tag == "WAIT":
+            return [Play((Directive("WAIT", self.condition()),))]
+        if tag == "STOP":
+            act = self.add("act", self.one_of("turn", "dance"))
+            return [Play((Directive("STOP", self.graphlet(act)),))]
+        thing = self.looked_up("the")
+        quality = self.add("hq", self.one_of("red", "open"), hq=thing)
+        claim = self.graphlet(quality)
+        finds = [Play((Directive("FIND", find),)) for find in self.finds]
+        self.finds = []
+        if tag == "beside":
+            beside = (Directive("KEEP", claim),)
+            return [*finds, Play(self.turning().required, beside)]
+        return [*finds, Play((Directive(tag, claim),))]
+
+    def going_on(self, alone: bool = False) -> Chain:
+        """A chain with a loop, or with something that is watched, in it; alone: "stop turning" by itself is control."""
+        first = [self.turning()] if alone or self.maybe() else []
+        middle = self.loop() if self.maybe() else self.watching()
+        return Chain((*first, *middle))
+
     def statement(self, thing: str) -> str:
         """Something said of a thing; the predicate."""
         sort = self.one_of("quality", "degree", "place", "kind")
@@ -288,7 +349,16 @@ def _fact(draft: Draft) -> Meaning:
 
 
 commands = _with(lambda draft: Command(draft.chain()))
+going_on = _with(lambda draft: Command(draft.going_on(alone=True)))
 procedures, arounds, reactions = _with(_procedure), _with(_around), _with(_reaction)
 prohibitions, permissions = _with(_prohibition), _with(_permission)
 findings, inquiries, failings = _with(_finding), _with(_inquiring), _with(_failing)
 rules, facts, trusts = _with(_rule), _with(_fact), _with(_trust)
+
+
+def _reached(draft: Draft) -> Meaning:
+    trigger = Directive("ACH", draft.condition())
+    return Teach("procedure", Operator(trigger, draft.going_on()))
+
+
+reached = _with(_reached)

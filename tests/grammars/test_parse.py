@@ -101,7 +101,7 @@ def test_a_quote_is_literal_and_ends_at_a_condition(text: str, quote: str) -> No
     assert said[-1] == quote
 
 
-@pytest.mark.parametrize("text", ["say hi unless the person is rick", "say hi until mary is near"])
+@pytest.mark.parametrize("text", ["say hi unless the person is rick"])
 def test_a_condition_that_nothing_can_be_made_of_is_not_said(text: str) -> None:
     assert read(text) is None
 
@@ -151,15 +151,3 @@ def test_productions_are_closed() -> None:
     assert undefined == {"_COMMA"}
     terminals = used - origins
     assert all(s.startswith('"') or s == "_COMMA" or s.isupper() for s in terminals)
-
-
-def test_loops_and_wishes_the_mind_cannot_do_are_not_understood() -> None:
-    for text in (
-        "drive forward until something is close",
-        "keep turning left",
-        "grab every block",
-        "repeat turn left then turn right three times",
-        "make sure the gripper is closed",
-        "while the gripper is empty keep turning right",
-    ):
-        assert read(text) is None, text

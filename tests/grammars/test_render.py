@@ -337,7 +337,7 @@ def test_the_robots_voice_has_words_for_every_form(sentence: str) -> None:
 
 
 @settings(max_examples=25, deadline=None)
-@given(st.one_of(nets.commands, nets.inquiries))
+@given(st.one_of(nets.commands, nets.inquiries, nets.going_on))
 def test_any_command(meaning: Meaning) -> None:
     same(render(meaning, "teacher"), "command", meaning)
 
@@ -345,7 +345,7 @@ def test_any_command(meaning: Meaning) -> None:
 @settings(max_examples=60, deadline=None)
 @given(
     st.one_of(
-        *(nets.procedures, nets.arounds, nets.reactions),
+        *(nets.procedures, nets.arounds, nets.reactions, nets.reached),
         *(nets.prohibitions, nets.permissions, nets.trusts),
         *(nets.findings, nets.failings),
     )

@@ -81,7 +81,8 @@ def test_being_linked_to_or_spoken_of_does_not_make_it_so(robot: Any) -> None:
     robot.do(
         "FIND[ obj-2; ako-3 -lex- gripper; -ako-> obj-2 ]; DO[ act-1 -lex- open; -obj-> obj-2 ]"
     )
-    memory.net.new("act", "look", obj=hypothesis.node)
+    focus = next(iter(robot.mind._attention))
+    focus.nodes[memory.net.new("act", "look", obj=hypothesis.node)] = None
     robot.tell("hq-9 -lex- old; -hq-> obj-2", "obj-2; ako-3 -lex- gripper; -ako-> obj-2")
     memory.refresh()
     assert hypothesis.node.level == HYPOTHETICAL

@@ -139,6 +139,11 @@ class SimulatedForklift:
         self._owed_s = 0.0
         self._dead_until_s = 0.0
         self.world = World(self._twin, self._lock)
+        self._convert()  # the first telemetry is no zeroes: an empty battery, a gripper closed
+
+    def _convert(self) -> None:
+        sensors = self._twin.sensors()
+        self.device.sense(sensors.range_adc, sensors.grip_adc, sensors.battery_adc)
 
     @property
     def now_s(self) -> float:
@@ -176,8 +181,7 @@ class SimulatedForklift:
         device.receive(self._to_robot.pop(now_s), now_s)
         self._twin.advance(device.pulses)
         if self._steps % SENSOR_STEPS == 0:
-            sensors = self._twin.sensors()
-            device.sense(sensors.range_adc, sensors.grip_adc, sensors.battery_adc)
+            self._convert()
         out = device.transmit()
         if out and now_s >= self._dead_until_s:
             self._to_host.push(out, now_s)

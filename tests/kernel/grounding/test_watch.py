@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 
 from kernel.action.call import BodyState
 from kernel.action.sensing import Edge
-from kernel.grounding.watch import Watch
+from kernel.grounding.watch import Parts, Watch
 
 
 def edges(readings: Sequence[float | None]) -> list[str]:
@@ -137,3 +137,60 @@ def test_grabbing_what_is_close_grabs_it(robot: Any) -> None:
     robot.feel(range_m=0.1)
     robot.settle()
     assert robot.body.state.holding
+
+
+# -- the state of lift and gripper ---------------------------------------------------------
+
+
+def part_edges(**readings: Sequence[object]) -> list[str]:
+    parts = Parts()
+    states = [
+        BodyState(**dict(zip(readings, values, strict=True)))
+        for values in zip(*readings.values(), strict=True)
+    ]
+    parts.update(BodyState(lift=0.5, grip=0.5))
+    return [mark(edge) for state in states for edge in parts.update(state)]
+
+
+@pytest.mark.parametrize(
+    ("grip", "seen"),
+    [
+        ([0.5, 0.03, 0.01], ["gripper closed"]),
+        ([0.01, 0.05, 0.01], ["gripper closed"]),
+        ([0.01, 0.07, 0.01], ["gripper closed", "-gripper closed", "gripper closed"]),
+        ([0.99, 0.95, 0.5], ["gripper open", "-gripper open"]),
+        ([0.97], []),
+    ],
+)
+def test_the_gripper_is_open_or_closed_at_its_ends(grip: list[float], seen: list[str]) -> None:
+    assert part_edges(grip=grip, lift=[0.5] * len(grip)) == seen
+
+
+def test_the_lift_is_up_or_down_at_its_ends() -> None:
+    lift = [0.0, 0.05, 0.5, 0.99, 0.95, 0.8]
+    seen = ["lift down", "-lift down", "lift up", "-lift up"]
+    assert part_edges(lift=lift, grip=[0.5] * len(lift)) == seen
+
+
+def test_a_gripper_that_holds_something_is_closed_and_not_empty() -> None:
+    assert part_edges(grip=[0.4, 0.4], lift=[0.5, 0.5], holding=[True, False]) == [
+        "-gripper empty",
+        "gripper closed",
+        "-gripper closed",
+        "gripper empty",
+    ]
+
+
+def test_what_is_so_at_the_first_look_is_held_and_no_news(robot: Any) -> None:
+    robot.teach("trig: NOTE[ hq-1 -lex- open; -hq-> obj-2 ]; pref: 1.0; ---; "
+                "DO[ act-3 -lex- raise ]")  # fmt: skip
+    assert robot.believes("hq-1 -lex- open; -hq-> obj-2; ako-3 -lex- gripper; -ako-> obj-2")
+    assert robot.believes("hq-1 -lex- down; -hq-> obj-2; ako-3 -lex- lift; -ako-> obj-2")
+    robot.pass_time(1)
+    assert robot.moved == []
+    robot.feel(grip=0.5)
+    robot.tick()
+    assert not robot.believes("hq-1 -lex- open; -hq-> obj-2")
+    robot.feel(grip=1.0)
+    robot.tick()
+    assert len(robot.moved) == 1

@@ -7,7 +7,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from kernel.action.chain import Chain, Directive, Play
+from kernel.action.chain import Chain, Directive, Loop, Part, Play, sequence
 from kernel.errors import NotationError
 from kernel.memory.lesson import Operator, Rule
 from kernel.memory.meaning import (
@@ -50,11 +50,26 @@ directives = st.one_of(
     st.builds(Directive, st.sampled_from(("DO", "FIND", "CHK")), graphlets()),
     st.just(Directive("PUNT")),
 )
-plays = st.builds(
-    Play,
-    st.lists(directives, min_size=1, max_size=2).map(tuple),
-    st.lists(directives, max_size=1).map(tuple),
+
+
+def _plays(parts: st.SearchStrategy[Part]) -> st.SearchStrategy[Play]:
+    return st.builds(
+        Play,
+        st.lists(parts, min_size=1, max_size=2).map(tuple),
+        st.lists(parts, max_size=1).map(tuple),
+    )
+
+
+_maybe = st.none() | graphlets()
+loops = st.builds(
+    Loop,
+    st.lists(_plays(directives), min_size=1, max_size=2).map(tuple).map(Chain),
+    st.none() | st.integers(1, 30),
+    _maybe,
+    _maybe,
+    _maybe,
 )
+plays = _plays(st.one_of(directives, loops, st.builds(sequence, directives, loops)))
 chains = st.lists(plays, max_size=2).map(tuple).map(Chain)
 several = st.lists(graphlets(), max_size=2).map(tuple)
 contents: st.SearchStrategy[Written] = st.one_of(
@@ -192,6 +207,30 @@ def test_plays_with_parallel_auxiliary_and_nested_parts() -> None:
     assert read_chain(write(chain)) == canonical(chain)
 
 
+LOOP = """LOOP{
+  times: 3
+  until: hq-1 -lex-  close
+              -hq-> obj-2
+  while: hq-3 -lex-  open
+              -hq-> obj-4
+  each: obj-5
+        ako-6 -lex-  block
+              -ako-> obj-5
+  DO[ act-7 -lex-  push
+            -obj-> obj-5 ]
+}"""
+
+
+def test_a_loop_says_how_long_and_what() -> None:
+    chain = read_chain(LOOP)
+    (loop,) = chain.plays[0].required
+    assert isinstance(loop, Loop)
+    assert (loop.times, [g.main for g in loop.conditions()]) == (3, ["hq-1", "hq-3", "obj-5"])
+    assert [d.tag for d in chain.directives()] == ["DO"]
+    assert len(list(chain.graphlets())) == 4
+    assert write(chain) == LOOP
+
+
 def test_parts_of_a_play_have_no_order_but_plays_have() -> None:
     left, right = (Directive("DO", _act(word)) for word in ("raise", "drive"))
     both = Chain((Play((left, right)),))
@@ -217,6 +256,8 @@ def _act(word: str) -> Graphlet:
         "then: ako-1 -lex- girl\nif: ako-1 -lex- girl\nbelief: 1.0",
         "act-1 -lex- drive\nif: act-2 -lex- drive",
         PROHIBITION + "\n]",
+        PROHIBITION + "\nLOOP{ times: often\nPUNT[ ] }",
+        PROHIBITION + "\nLOOP{ times: 3\nPUNT[ ]",
         PROHIBITION.replace("]", "", 1),
     ],
 )

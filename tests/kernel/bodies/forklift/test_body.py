@@ -405,3 +405,21 @@ def test_a_ride_replays_bit_for_bit() -> None:
         return ride.link.sent, ride.state
 
     assert run() == run()
+
+
+def test_a_motion_without_end_is_smooth_and_ends_when_nobody_bids_for_it() -> None:
+    """No pause at the renewals, and at rest within a moment of the end."""
+    ride = Ride()
+    forward = bid(1, Travel(0.2, None))
+    ride.run(0.5, forward)
+    last_m, slowest_m = ride.state.x_m, 1.0
+    for _ in range(40):
+        ride.run(0.2, forward)
+        slowest_m, last_m = min(slowest_m, ride.state.x_m - last_m), ride.state.x_m
+    assert slowest_m > 0.02
+    assert ride.state.x_m == pytest.approx(0.2 * 8.5, abs=0.12)
+    ride.run(0.3)
+    at_rest_m = ride.state.x_m
+    ride.run(1.0)
+    assert ride.state.x_m == pytest.approx(at_rest_m, abs=0.001)
+    assert at_rest_m - last_m < 0.04
