@@ -32,6 +32,7 @@ from kernel.memory.reply import FactTaken, Greeted, Met, NotYet
 from kernel.net.graphlet import Graphlet
 from kernel.net.match import Binding
 from kernel.net.node import Node
+from kernel.retracting import retract
 from kernel.running import Frame
 from kernel.stepping import RunningStep
 
@@ -129,6 +130,8 @@ def _content(mind: Listener, commons: Commons, focus: Focus, heard: Heard) -> Ru
         case Feedback(stop=stop):
             if not stop:
                 commons.replies.append(NotYet("feedback"))
+        case Control("forget", lessons=numbers) if numbers:
+            return (yield from retract(commons, focus, mind.speaker, numbers))
         case Control(act):
             if act != "stop":
                 commons.replies.append(NotYet(act))

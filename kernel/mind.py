@@ -77,6 +77,11 @@ class Mind:
         return tuple(x for x in self._commons.lessons.values() if x.ident > INNATE)
 
     @property
+    def history(self) -> tuple[Change, ...]:
+        """Every change of what was learned, oldest first."""
+        return tuple(self._commons.policy.changes())[::-1]
+
+    @property
     def memory(self) -> WorkingMemory:
         """For looking, not for touching."""
         return self._commons.memory
