@@ -65,14 +65,14 @@ def written(rows: Iterable[Row], kinds: Sequence[str] = ()) -> Iterator[str]:
     if resting := [row for row in wanted if row.standing == "rests"]:
         yield from ("", "# Not in force: they rest", "")
         for row in resting:
-            yield f"# {_plain(row.words)} (rests: {_plain(row.why)})"
+            yield f"# {plain(row.words)} (rests: {plain(row.why)})"
 
 
 def _lesson(row: Row) -> Iterator[str]:
     text = row.text
     same = text.casefold() == row.words.strip(" .").casefold()
-    about = f"{_plain(row.teacher) or 'Somebody'}, {when(row.at_s)}"
-    yield f"# {about}" + ("" if same or not row.words else f": {_plain(row.words)}")
+    about = f"{plain(row.teacher).title() or 'Somebody'}, {when(row.at_s)}"
+    yield f"# {about}" + ("" if same or not row.words else f": {plain(row.words)}")
     yield text
 
 
@@ -106,6 +106,6 @@ def when(at_s: float) -> str:
     return time.strftime("%Y-%m-%d %H:%M", time.localtime(at_s)) if at_s > 0 else "?"
 
 
-def _plain(text: str) -> str:
+def plain(text: str) -> str:
     """On one line, without what a terminal might act on."""
     return " ".join("".join(c if c.isprintable() else " " for c in text).split())

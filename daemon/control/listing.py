@@ -11,7 +11,7 @@ from rich.console import Console
 from rich.table import Table
 from rich.text import Text
 
-from daemon.lessonfile import when
+from daemon.lessonfile import plain, when
 from daemon.lessons import Row
 
 WIDE = 160
@@ -55,12 +55,21 @@ def _object(row: Row) -> dict[str, object]:
     }
 
 
-def show(rows: Sequence[Row], chosen: Sequence[Row], *, everything: bool, filtered: bool) -> None:
-    """A table, and what is not in it."""
+def show(
+    rows: Sequence[Row],
+    chosen: Sequence[Row],
+    *,
+    everything: bool,
+    filtered: bool,
+    bare: bool = False,
+) -> None:
+    """A table, and what is not in it. bare: without bold type."""
     if chosen:
-        console().print(_table(chosen, everything=everything))
+        console(bare=bare).print(_table(chosen, everything=everything))
     elif filtered:
         click.echo("no lesson has these words")
+    elif rows:
+        click.echo("no lesson is in force")
     else:
         click.echo('nothing was taught (try: sayso say "to dance, turn around twice")')
     hidden = {s: sum(row.standing == s for row in rows) for s in ("taken back", "rests")}
@@ -87,14 +96,14 @@ def _table(rows: Sequence[Row], *, everything: bool) -> Table:
         cells = [str(row.ident), row.kind, row.text, _teacher(row), when(row.at_s)]
         cells += [_strength(row)] if moved else []
         cells += [_standing(row)] if everything else []
-        table.add_row(*map(Text, cells), style=None if row.counts else "dim")
+        table.add_row(*(Text(plain(cell)) for cell in cells), style=None if row.counts else "dim")
     return table
 
 
 def _teacher(row: Row) -> str:
     if row.origins:
         return f"itself, from {', '.join(map(str, row.origins))}"
-    return row.teacher or "-"
+    return row.teacher.title() or "-"
 
 
 def _strength(row: Row) -> str:
@@ -131,6 +140,8 @@ def show_changed(rows: Sequence[Row], chosen: Sequence[Row], *, as_json: bool) -
     )
 
 
-def console() -> Console:
+def console(*, bare: bool = False) -> Console:
     """For tables: as wide as the terminal, and wide where there is none."""
-    return Console(highlight=False, width=None if sys.stdout.isatty() else WIDE)
+    terminal = sys.stdout.isatty()
+    styled = False if bare else None
+    return Console(highlight=False, width=None if terminal else WIDE, force_terminal=styled)

@@ -12,6 +12,7 @@ import msgspec
 from daemon.control import messages
 from daemon.control.client import Client
 from daemon.control.report import line
+from daemon.lessonfile import plain
 from daemon.logbook import Entry
 
 
@@ -28,7 +29,6 @@ def show(entries: Sequence[Entry], *, as_json: bool) -> None:
 def told(entry: Entry) -> str:
     """An entry as a line."""
     at = time.strftime("%Y-%m-%d %H:%M:%S", time.localtime(entry.at_s))
-    who = f"{entry.who or '-':<8}"
     about = f"{entry.lesson}: {entry.text}" if entry.lesson else entry.text
     match entry.what:
         case "said":
@@ -39,7 +39,9 @@ def told(entry: Entry) -> str:
             more = f"({entry.kind}{', ' if entry.source else ''}{entry.source})"
         case _:
             more = ""
-    return f"{at}  {who} {entry.what:<9} {about} {more}".rstrip()
+    return (
+        f"{at}  {plain(entry.who).title() or '-':<8} {entry.what:<9} {plain(about)} {more}".rstrip()
+    )
 
 
 def follow(client: Client, *, as_json: bool) -> None:

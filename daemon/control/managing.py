@@ -19,8 +19,8 @@ KINDS: Final = (
 )
 
 
-@click.command()
-@click.argument("text", required=False, default="")
+@click.command(short_help="What the robot was taught, with numbers.")
+@click.argument("text", nargs=-1)
 @click.option(
     "--all", "everything", is_flag=True, help="Also those taken back, and those that rest."
 )
@@ -30,7 +30,7 @@ KINDS: Final = (
 @click.option("--json", "as_json", is_flag=True, help="Print JSON objects, one a lesson.")
 @common.config_option
 def lessons(
-    text: str, everything: bool, recheck: bool, as_json: bool, config_file: Path | None
+    text: tuple[str, ...], everything: bool, recheck: bool, as_json: bool, config_file: Path | None
 ) -> None:
     """What the robot was taught, with the numbers that `sayso forget` takes; only lessons with the words of TEXT.
 
@@ -42,7 +42,7 @@ def lessons(
 
     with common.reached(config_file) as robot:
         rows = robot.lessons()
-    chosen = listing.choose(rows, text, everything=everything)
+    chosen = listing.choose(rows, " ".join(text), everything=everything)
     if recheck:
         listing.show_changed(rows, chosen, as_json=as_json)
     elif as_json:
@@ -51,7 +51,7 @@ def lessons(
         listing.show(rows, chosen, everything=everything, filtered=bool(text))
 
 
-@click.command()
+@click.command(short_help="Take lessons back, by number or in words.")
 @click.argument("what", nargs=-1, required=True, metavar="N...|TEXT")
 @common.speaker_option
 @common.config_option
@@ -91,7 +91,7 @@ def _numbers(what: tuple[str, ...]) -> tuple[int, ...]:
     return tuple(dict.fromkeys(map(int, what)))
 
 
-@click.command()
+@click.command(short_help="Take the last change of what was taught back.")
 @click.option("--today", is_flag=True, help="Everything that was taught or changed today.")
 @common.speaker_option
 @common.config_option
@@ -102,7 +102,7 @@ def undo(today: bool, speaker: str, config_file: Path | None) -> None:
         sys.exit(common.status(robot.say(said, speaker, common.show)))
 
 
-@click.command()
+@click.command(short_help="Why the robot did what it did last.")
 @click.argument("text", nargs=-1)
 @common.speaker_option
 @common.config_option
@@ -120,7 +120,7 @@ def why(text: tuple[str, ...], speaker: str, config_file: Path | None) -> None:
         sys.exit(common.status(robot.say(said, speaker, common.show)))
 
 
-@click.command()
+@click.command(short_help="Write what was taught as readable English.")
 @click.argument(
     "file", default="-", type=click.Path(dir_okay=False, path_type=Path, allow_dash=True)
 )
@@ -149,13 +149,17 @@ def export(file: Path, kinds: tuple[str, ...], force: bool, config_file: Path | 
         click.echo(text, nl=False)
         return
     half = file.with_name(f".{file.name}.half")
-    half.write_text(text, encoding="utf-8")
-    half.replace(file)  # whole or not at all
+    try:
+        half.write_text(text, encoding="utf-8")
+        half.replace(file)  # whole or not at all
+    except OSError as error:
+        half.unlink(missing_ok=True)
+        raise click.ClickException(f"{file} cannot be written ({error.strerror})") from error
     count = sum(row.counts and not row.origins and (not kinds or row.kind in kinds) for row in rows)
     click.echo(f"{file}: {count} lesson{'' if count == 1 else 's'}", err=True)
 
 
-@click.command()
+@click.command(short_help="Learn the lessons and facts of a file.")
 @click.argument(
     "file", type=click.Path(exists=True, dir_okay=False, path_type=Path, allow_dash=True)
 )
@@ -176,7 +180,7 @@ def teach(file: Path, speaker: str, dry_run: bool, config_file: Path | None) -> 
     sys.exit(teaching.teach(file, speaker, config_file, dry_run=dry_run))
 
 
-@click.command()
+@click.command(short_help="What was said, learned and taken back.")
 @click.option(
     "-n",
     "last",
@@ -207,7 +211,7 @@ def log(last: int, follow: bool, as_json: bool, config_file: Path | None) -> Non
         looking_back.follow(common.running(config_file, patient=True), as_json=as_json)
 
 
-@click.command()
+@click.command(short_help="A console: type, and see what is heard, said, done.")
 @common.speaker_option
 @common.config_option
 def talk(speaker: str, config_file: Path | None) -> None:

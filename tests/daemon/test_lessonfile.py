@@ -35,7 +35,13 @@ def stored(lessons: Sequence[Lesson], teacher: str = "") -> tuple[Row, ...]:
     """The rows of a store that was taught these, one after another."""
     return rows(
         [
-            Change(n, teacher, x.words, 60.0 * n, (Lesson(n, x.kind, x.content, x.words, teacher, 60.0 * n),))
+            Change(
+                n,
+                teacher,
+                x.words,
+                60.0 * n,
+                (Lesson(n, x.kind, x.content, x.words, teacher, 60.0 * n),),
+            )
             for n, x in enumerate(lessons, start=1)
         ]
     )
