@@ -6,6 +6,7 @@ from collections import Counter
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, field
 
+from daemon.control.messages import NAME_LENGTH
 from daemon.lessonfile import Line
 from daemon.lessons import Row
 from grammars.errors import NotUnderstoodError
@@ -95,7 +96,9 @@ def _pass(
             waiting.append(line)
             continue
         lesson = lesson_of(meaning, line.text)
-        if lesson is None:
+        if len(line.speaker or "") > NAME_LENGTH:
+            wrong.append(Wrong(line, f"a name has at most {NAME_LENGTH} characters"))
+        elif lesson is None:
             kind = type(meaning).__name__.lower()
             wrong.append(Wrong(line, f"a {kind} is no lesson: say it to the robot (`sayso say`)"))
         elif known[_key(lesson)] > 0:

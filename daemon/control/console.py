@@ -135,7 +135,7 @@ class Console:
         if not text:
             return
         if command == "/speaker":
-            self._speaker = rest.strip()[:60]
+            self._speaker = rest.strip()[: messages.NAME_LENGTH]
         elif command == "/stop":
             self.stop()
         elif command == "/help":

@@ -12,6 +12,7 @@ import msgspec
 VERSION: Final = 1
 LINE_BYTES: Final = 16_384  # longest request
 TEXT_LENGTH: Final = 1_000
+NAME_LENGTH: Final = 60
 REQUESTS_A_SECOND: Final = 20.0
 BURST: Final = 40
 LESSONS_AT_ONCE: Final = 500
@@ -19,7 +20,7 @@ FORGET_AT_ONCE: Final = 100
 LOG_AT_ONCE: Final = 1_000
 
 Text = Annotated[str, msgspec.Meta(min_length=1, max_length=TEXT_LENGTH)]
-Name = Annotated[str, msgspec.Meta(max_length=60)]
+Name = Annotated[str, msgspec.Meta(max_length=NAME_LENGTH)]
 Number = Annotated[int, msgspec.Meta(ge=0, le=2**62)]
 OutcomeWord = Literal["done", "failed", "not_understood", "running"]
 
