@@ -54,9 +54,7 @@ def _by_mention(play: Play, looked_up: list[str]) -> Play:
     def ordered(parts: tuple[Directive | Chain, ...]) -> tuple[Directive | Chain, ...]:
         ranks = [(rank, at) for at, part in enumerate(parts) if (rank := first(part)) is not None]
         places = iter(sorted(ranks))
-        return tuple(
-            parts[next(places)[1]] if first(part) is not None else part for part in parts
-        )
+        return tuple(parts[next(places)[1]] if first(part) is not None else part for part in parts)
 
     return Play(ordered(play.required), ordered(play.auxiliary))
 

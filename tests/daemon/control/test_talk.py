@@ -50,6 +50,8 @@ class Terminal:
             stderr=end,
             env=environment(folder),
             start_new_session=True,
+            # Its own terminal: while something is printed, Ctrl-C arrives as a signal.
+            preexec_fn=lambda: fcntl.ioctl(0, termios.TIOCSCTTY, 0),
         )
         os.close(end)
         self.shown = b""
@@ -148,7 +150,7 @@ def test_a_conversation_with_a_robot_of_its_own(folder: Path) -> None:
         there.until("doing +turn left")
         there.until("doing +drive forward")
         there.type("\x03")
-        there.until("drive forward 1 m: stopped")
+        there.until("drive forward 1 meter: stopped")
         assert re.search("heading (8[5-9]|9[0-5])°", there.ready("I have stopped"))
         there.type("/lessons\r")
         there.ready("1  procedure  to zorp")
