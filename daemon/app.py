@@ -12,19 +12,20 @@ import signal
 import sys
 from collections.abc import Callable
 from contextlib import suppress
-from dataclasses import dataclass
 from pathlib import Path
 from typing import Final
 
 from daemon import config as configuration
 from daemon import events
-from daemon.aside import Aside
+from daemon.book import Book
 from daemon.clock import Clock, process_age_s
 from daemon.config import Config
 from daemon.control.messages import OutcomeWord
 from daemon.control.server import ControlServer
 from daemon.ears import Ears
+from daemon.intake import Intake
 from daemon.journal import journal
+from daemon.lessons import missing
 from daemon.link import Link
 from daemon.loop import Cycle
 from daemon.notify import Notifier
@@ -32,7 +33,7 @@ from daemon.outcome import Following
 from daemon.parts import assemble
 from daemon.store import Store
 from daemon.supervise import supervise
-from daemon.understanding import understand
+from daemon.understanding import Understanding, forgetting
 from daemon.writer import Writer
 from kernel.memory.meaning import Utterance
 
@@ -63,16 +64,6 @@ async def _run(config: Config, store: Store) -> int:
     return await app.run()
 
 
-@dataclass(frozen=True, slots=True)
-class _Waiting:
-    """An utterance on its way to the parser."""
-
-    utterance: Utterance
-    source: str
-    epoch: int
-    taken: asyncio.Future[None]
-
-
 class App:
     """The running daemon, and what it does for clients of the control socket.
 
@@ -88,8 +79,6 @@ class App:
         self._loop = asyncio.get_running_loop()
         self._awake = asyncio.Event()
         self._closing = asyncio.Event()
-        self._utterances: asyncio.Queue[_Waiting] = asyncio.Queue()
-        self._parser = Aside("parser")
         self._watchers: list[Callable[[events.Event], None]] = [journal]
         self._settling: list[asyncio.Future[None]] = []
         self._notifier = Notifier()
@@ -98,7 +87,9 @@ class App:
         self._parts = assemble(config, store, self._writer, self._emit)
         self._cycle = self._parts.cycle
         self._parts.link.on_arrival = self._awake.set
-        self._ears = Ears(config.hearing, self._cycle, self.submit)
+        self.book = Book(lambda: self._cycle.mind.history, self._parts.loaded.resting, self._writer)
+        self._intake = Intake(self._cycle, self._writer, self._awake.set)
+        self._ears = Ears(config.hearing, self._cycle, self._intake.submit)
 
     async def run(self) -> int:
         """Serve until SIGTERM or SIGINT; the exit status."""
@@ -113,7 +104,7 @@ class App:
                     for name, part in {
                         "link": supervise("link", self._parts.link.serve, self._failed),
                         "control": supervise("control", server.serve, self._failed),
-                        "understanding": self._understand(),
+                        "understanding": self._intake.serve(),
                         "loop": self._turn(),
                         "warming up": self._warm_up(),
                         "hearing": supervise("hearing", self._ears.serve, self._failed),
@@ -128,7 +119,8 @@ class App:
                     task.cancel()
         finally:
             self._ears.close()
-            self._parser.close()
+            self._intake.close()
+            self.book.close()
             self._writer.close()
             self._store.close()
         return 0
@@ -161,9 +153,24 @@ class App:
         self._watchers.append(see)
         return lambda: self._watchers.remove(see)
 
-    async def say(self, text: str, speaker: str, source: str) -> OutcomeWord:
-        """Take a typed utterance and wait for what it comes to."""
-        return await self._follow(Utterance(text, speaker, self._clock.wall_s()), source)
+    async def say(self, text: str, speaker: str, source: str, aloud: bool = True) -> OutcomeWord:
+        """Take a typed utterance and wait for what it comes to. aloud: lessons are acknowledged by voice."""
+        self._cycle.hushing += not aloud
+        try:
+            return await self._follow(Utterance(text, speaker, self._clock.wall_s()), source)
+        finally:
+            self._cycle.hushing -= not aloud
+
+    async def forget(self, numbers: tuple[int, ...], speaker: str, source: str) -> OutcomeWord:
+        """Take lessons back by their numbers and wait for what it comes to.
+
+        Raises:
+            ValueError: one of them is not in force.
+        """
+        if wrong := missing(numbers, await self.book.lessons()):
+            raise ValueError("; ".join(wrong))
+        meant = forgetting(numbers, speaker, self._clock.wall_s())
+        return await self._follow(meant.utterance, source, meant)
 
     async def hear(self, path: Path, speaker: str, source: str) -> OutcomeWord:
         """Take what a sound file says, at the times its own sound has, and wait for what it comes to.
@@ -220,28 +227,13 @@ class App:
                 async with asyncio.timeout(now_s + period_s - self._clock.now_s()):
                     await self._awake.wait()
 
-    async def _understand(self) -> None:
-        """Parse one utterance after another beside the loop."""
-        while True:
-            waiting = await self._utterances.get()
-            utterance = waiting.utterance
-            try:
-                words, asked = self._cycle.vocabulary, self._cycle.mind.expecting
-                understanding = await self._parser.run(understand, utterance, words, asked)
-            except Exception as error:  # one sentence that breaks the parser must not end hearing
-                understanding = self._cycle.puzzled(utterance, error)
-            self._cycle.take(understanding, waiting.epoch, waiting.source)
-            at_s, text, speaker = utterance.at_s, utterance.text, utterance.speaker
-            self._writer.log(at_s, text, speaker, waiting.source, understanding.kind)
-            if not waiting.taken.done():
-                waiting.taken.set_result(None)
-            self._awake.set()
-
-    async def _follow(self, utterance: Utterance, source: str) -> OutcomeWord:
+    async def _follow(
+        self, utterance: Utterance, source: str, meant: Understanding | None = None
+    ) -> OutcomeWord:
         following = Following(utterance.text)
         unsubscribe = self.subscribe(following.see)
         try:
-            await self.submit(utterance, source)
+            await self._intake.submit(utterance, source, meant)
             return await self._settled(following)
         finally:
             unsubscribe()
@@ -256,18 +248,10 @@ class App:
             return "running"
         return following.outcome
 
-    def submit(self, utterance: Utterance, source: str) -> asyncio.Future[None]:
-        """Into the parser's queue; a stop word acts now. The result is there once the meaning is on its way."""
-        epoch = self._cycle.begin(utterance, source)
-        taken: asyncio.Future[None] = self._loop.create_future()
-        self._utterances.put_nowait(_Waiting(utterance, source, epoch, taken))
-        self._awake.set()
-        return taken
-
     async def _warm_up(self) -> None:
         """Compile the grammar before the first sentence comes: ready means able to listen."""
         try:
-            await self._parser.run(understand, Utterance("stop"), self._cycle.vocabulary)
+            await self._intake.warm_up()
         except Exception as error:  # told now, not at the first sentence
             self._failed("understanding", f"{type(error).__name__}: {error}")
         self._ready()

@@ -18,6 +18,7 @@ from daemon.hearing.events import Heard, NotHeard, StopWord
 from daemon.outcome import Following
 from daemon.parts import assemble_virtual
 from daemon.store import Store
+from daemon.understanding import forgetting
 from kernel.memory.meaning import Utterance
 
 STEP_S: Final = 1 / 30
@@ -32,6 +33,9 @@ class Here:
         config: scene, seed and paths are taken from it; the robot is the simulated one.
         emit: told of every event.
 
+    Attributes:
+        store: where its lessons are.
+
     Raises:
         StoreError: the store cannot be used.
     """
@@ -39,19 +43,29 @@ class Here:
     def __init__(self, config: Config, emit: Callable[[events.Event], None]) -> None:
         self._watch: Callable[[events.Event], None] = emit
         self._config = config
-        self._store = Store.open(store_path(config))
+        self.store = Store.open(store_path(config))
         try:
-            self._parts = assemble_virtual(config, self._store, self._emit, Clock.utc_offset_s())
+            self._parts = assemble_virtual(config, self.store, self._emit, Clock.utc_offset_s())
         except BaseException:
-            self._store.close()
+            self.store.close()
             raise
         self._following: Following | None = None
         self._run(lambda: self._parts.cycle.state.connected, CONNECT_S)
 
-    def say(self, text: str, speaker: str = "") -> OutcomeWord:
-        """Take an utterance and let time pass until nothing is going on."""
+    def say(self, text: str, speaker: str = "", *, aloud: bool = True) -> OutcomeWord:
+        """Take an utterance and let time pass until nothing is going on. aloud: lessons are acknowledged by voice."""
+        self._parts.cycle.hushing = int(not aloud)
         self._following = Following(text)
         self._take(Utterance(text, speaker, Clock.wall_s()), "typed")
+        return self._finish()
+
+    def forget(self, numbers: tuple[int, ...], speaker: str = "") -> OutcomeWord:
+        """Take lessons back by their numbers, which must be in force or rest."""
+        meant = forgetting(numbers, speaker, Clock.wall_s())
+        said, cycle = meant.utterance, self._parts.cycle
+        self._following = Following(said.text)
+        cycle.take(meant, cycle.begin(said))
+        self.store.log(said.at_s, said.text, speaker, "typed", meant.kind)
         return self._finish()
 
     def hear(self, path: Path, speaker: str = "") -> OutcomeWord:
@@ -84,7 +98,7 @@ class Here:
 
     def _take(self, utterance: Utterance, source: str) -> None:
         kind = self._parts.cycle.hear(utterance, source).kind
-        self._store.log(utterance.at_s, utterance.text, utterance.speaker, source, kind)
+        self.store.log(utterance.at_s, utterance.text, utterance.speaker, source, kind)
 
     def _finish(self) -> OutcomeWord:
         assert self._following is not None
@@ -93,7 +107,7 @@ class Here:
 
     def close(self) -> None:
         """Stop and close."""
-        self._store.close()
+        self.store.close()
 
     def _run(self, until: Callable[[], bool], at_most_s: float) -> None:
         link, cycle = self._parts.link, self._parts.cycle

@@ -23,6 +23,7 @@ from grammars.vocabulary import extended, from_policy
 from kernel.action.call import BodyState
 from kernel.memory.exchange import Inputs, Outputs
 from kernel.memory.meaning import Command, Heard, Revision, Utterance
+from kernel.memory.reply import FactTaken, LessonTaken
 
 if TYPE_CHECKING:
     from kernel.bodies.registry import Body
@@ -42,6 +43,9 @@ class Cycle:
         voice: says what is to be said.
         keeper: makes lessons durable.
         emit: told of everything that happens; must not wait and must not raise.
+
+    Attributes:
+        hushing: while it is not 0, what is taught is acknowledged on the screen only (a file is read in).
     """
 
     def __init__(
@@ -68,6 +72,7 @@ class Cycle:
         self.now_s = 0.0
         self.state = BodyState()
         self.failures = 0
+        self.hushing = 0
         self.vocabulary = from_policy(mind.policy)
 
     @property
@@ -234,7 +239,7 @@ class Cycle:
             said = say(reply)
             for event in from_reply(reply, said, now_s):
                 self._emit(event)
-            if said.spoken:
+            if said.spoken and not (self.hushing and isinstance(reply, LessonTaken | FactTaken)):
                 self._speech.add(said.spoken)
         for bid in outputs.speech:
             self._speech.add(getattr(bid.command, "text", ""), bid.ticket)

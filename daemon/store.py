@@ -31,11 +31,15 @@ NET_MIGRATIONS: Final[Mapping[int, Callable[[str], str]]] = {}  # notation of ve
 
 @dataclass(frozen=True, slots=True)
 class Resting:
-    """A lesson that is kept but not in force. why: what is wrong with it."""
+    """A lesson that is kept but not in force. why: what is wrong with it; change: the one that taught it."""
 
     ident: int
     words: str
     why: str
+    kind: str = ""
+    teacher: str = ""
+    at_s: float = 0.0
+    change: int = 0
 
 
 @dataclass(frozen=True, slots=True)
@@ -132,7 +136,7 @@ class Store:
                 content = read(_migrated(notation, version))
                 _check(kind, content, abilities)
             except (NotationError, ValueError) as error:
-                resting.append(Resting(ident, words, str(error)))
+                resting.append(Resting(ident, words, str(error), kind, teacher, at_s, change))
                 continue
             made_of = tuple(map(int, origins.split()))
             lesson = Lesson(ident, cast(LessonKind, kind), content, words, teacher, at_s, made_of)

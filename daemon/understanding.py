@@ -94,6 +94,15 @@ def understand(
     return Understanding(utterance, parsed.kind, readback, Heard(utterance, parsed.meaning))
 
 
+def forgetting(numbers: tuple[int, ...], speaker: str, at_s: float) -> Understanding:
+    """Lessons are to be taken back by their numbers: a meaning that no sentence has."""
+    listed = ", ".join(map(str, numbers))
+    utterance = Utterance(f"forget {listed}", speaker, at_s)
+    heard = Heard(utterance, Control("forget", lessons=numbers))
+    readback = f"forget lesson{'s' if len(numbers) > 1 else ''} {listed}"
+    return Understanding(utterance, "control", readback, heard)
+
+
 def halts(meaning: Meaning) -> bool:
     """Everything is to stop: such a meaning does not wait for the mind."""
     if isinstance(meaning, Feedback):

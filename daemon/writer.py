@@ -6,12 +6,15 @@ import sqlite3
 import threading
 from collections import deque
 from collections.abc import Callable
+from concurrent.futures import Future
 from dataclasses import dataclass
 from queue import SimpleQueue
-from typing import Protocol
+from typing import Protocol, TypeVar
 
 from daemon.store import Store
 from kernel.memory.change import Change
+
+R = TypeVar("R")
 
 
 @dataclass(frozen=True, slots=True)
@@ -93,6 +96,19 @@ class Writer:
     def log(self, at_s: float, text: str, speaker: str, source: str, kind: str) -> None:
         """Queue a line of the utterance log."""
         self._jobs.put(lambda: self._store.log(at_s, text, speaker, source, kind))
+
+    def ask(self, question: Callable[[Store], R]) -> Future[R]:
+        """Ask the store something in its thread, after what is queued."""
+        answer: Future[R] = Future()
+
+        def job() -> None:
+            try:
+                answer.set_result(question(self._store))
+            except Exception as error:  # whoever waits for it decides what to make of it
+                answer.set_exception(error)
+
+        self._jobs.put(job)
+        return answer
 
     def close(self, timeout_s: float = 0.5) -> None:
         """Finish what is queued and end the thread."""

@@ -39,6 +39,7 @@ from kernel.net.match import Binding
 from kernel.net.node import Node
 from kernel.remembering import source
 from kernel.reporting import commanded
+from kernel.retracting import retract
 from kernel.running import Frame
 from kernel.steering import Steered, drop_newest, go_on, stop_doing
 from kernel.stepping import RunningStep
@@ -143,6 +144,8 @@ def _content(mind: Listener, commons: Commons, focus: Focus, heard: Heard) -> Ru
         case Feedback(stop=stop):
             if not stop:
                 commons.replies.append(NotYet("feedback"))
+        case Control("forget", lessons=numbers) if numbers:
+            return (yield from retract(commons, focus, mind.speaker, numbers))
         case Control("learned"):
             day = Question("what", Graphlet((), "act-1"), topic="learned")
             commons.replies.append(answer(Asking(commons, focus, mind, day)))

@@ -91,6 +91,11 @@ class Mind:
         return tuple(self._attention)
 
     @property
+    def history(self) -> tuple[Change, ...]:
+        """Every change of what was learned, oldest first."""
+        return tuple(self._commons.policy.changes())[::-1]
+
+    @property
     def memory(self) -> WorkingMemory:
         """For looking, not for touching."""
         return self._commons.memory

@@ -4,31 +4,14 @@ from __future__ import annotations
 
 import os
 import sys
-from collections.abc import Iterator
 from pathlib import Path
-from typing import TYPE_CHECKING, Final, NoReturn
+from typing import Final, NoReturn
 
 import click
 
-if TYPE_CHECKING:
-    from daemon.config import Config
-    from daemon.control.client import Client
-    from daemon.control.messages import Request
+from daemon.control import common, managing
 
-EXIT_FAILED: Final = 1
-EXIT_NOT_UNDERSTOOD: Final = 3
 EXIT_CONFIG: Final = 78
-LONGEST_SENTENCE: Final = 1_000  # characters; as over the control socket
-
-config_option = click.option(
-    "--config",
-    "config_file",
-    type=click.Path(dir_okay=False, path_type=Path),
-    help="Configuration (default: ~/.config/sayso/sayso.toml where it exists).",
-)
-speaker_option = click.option(
-    "--speaker", default="", metavar="NAME", help="Who says it (default: nobody known)."
-)
 
 
 @click.group(context_settings={"help_option_names": ["-h", "--help"], "max_content_width": 100})
@@ -40,12 +23,14 @@ def cli() -> None:
     cha-cha`. Without a running daemon (`sayso run`), say and hear do it at once on a simulated robot; lessons are kept
     either way.
 
+    What was taught: lessons, forget, undo, export, teach. What happened: why, log. A console: talk.
+
     Exit status: 0 done, 1 failed or refused, 2 wrong usage, 3 not understood, 78 wrong configuration.
     """
 
 
 @cli.command()
-@config_option
+@common.config_option
 @click.option("--robot", metavar="URI", help="sim://forklift, serial:/dev/ttyUSB0?baud=57600, ...")
 @click.option("--hearing", metavar="SOURCE", help="typed, or a WAV file.")
 @click.option("--scene", metavar="FILE", help="What stands around the simulated robot.")
@@ -61,62 +46,45 @@ def run(
     from daemon.app import main as serve
     from daemon.config import override
 
-    config = override(_config(config_file), robot=robot, hearing=hearing, scene=scene)
+    config = override(common.config(config_file), robot=robot, hearing=hearing, scene=scene)
     sys.exit(serve(config, verbose=verbose))
 
 
 @cli.command()
 @click.argument("text")
-@speaker_option
-@config_option
+@common.speaker_option
+@common.config_option
 def say(text: str, speaker: str, config_file: Path | None) -> None:
     """Say TEXT to the robot and print what comes of it."""
-    from daemon.control.messages import TEXT_LENGTH, Say
-
-    if not text.strip() or len(text) > TEXT_LENGTH:
-        raise click.UsageError(f"TEXT must have 1 to {TEXT_LENGTH} characters")
-    config = _config(config_file)
-    client = _client(config)
-    if client is not None:
-        sys.exit(_follow(client, Say(v=1, text=_clean(text), speaker=speaker)))
-    from daemon.inprocess import Here
-
-    with Here(config, _show_event) as here:
-        sys.exit(_status(here.say(_clean(text), speaker)))
+    said = common.text_argument(text)
+    with common.reached(config_file) as robot:
+        sys.exit(common.status(robot.say(said, speaker, common.show)))
 
 
 @cli.command()
 @click.argument("file", type=click.Path(exists=True, dir_okay=False, path_type=Path))
-@speaker_option
-@config_option
+@common.speaker_option
+@common.config_option
 def hear(file: Path, speaker: str, config_file: Path | None) -> None:
     """Play FILE (WAV) to the robot's ears and print what comes of it."""
-    from daemon.control.messages import Hear
-
-    config = _config(config_file)
-    client = _client(config)
-    if client is not None:
-        sys.exit(_follow(client, Hear(v=1, path=str(file.resolve()), speaker=speaker)))
-    from daemon.inprocess import Here
-
-    with Here(config, _show_event) as here:
-        sys.exit(_status(here.hear(file, speaker)))
+    with common.reached(config_file) as robot:
+        sys.exit(common.status(robot.hear(file, speaker, common.show)))
 
 
 @cli.command()
-@config_option
+@common.config_option
 def stop(config_file: Path | None) -> None:
     """Emergency stop of the running daemon's robot."""
     from daemon.control.messages import Stop, Told
 
-    with _running(_config(config_file)) as client:
+    with common.running(config_file) as client:
         for answer in client.ask(Stop(v=1)):
             if isinstance(answer, Told):
                 click.echo(f"stopped (stop {answer.facts.get('epoch')})")
 
 
 @cli.command()
-@config_option
+@common.config_option
 @click.option("--json", "as_json", is_flag=True, help="Print one JSON object.")
 def status(config_file: Path | None, as_json: bool) -> None:
     """State of the running daemon: hearing, mind, link."""
@@ -124,7 +92,7 @@ def status(config_file: Path | None, as_json: bool) -> None:
 
     from daemon.control.messages import Status, Told
 
-    with _running(_config(config_file)) as client:
+    with common.running(config_file) as client:
         for answer in client.ask(Status(v=1)):
             if isinstance(answer, Told):
                 if as_json:
@@ -146,10 +114,10 @@ def parse(text: str | None, as_json: bool) -> None:
     from daemon.control.describing import as_json_line, as_text, described
 
     if text not in (None, "-"):
-        answer = described(_clean(text or ""))
+        answer = described(common.clean(text or ""))
         click.echo(as_json_line(answer) if as_json else as_text(answer))
-        sys.exit(EXIT_NOT_UNDERSTOOD if answer["kind"] == "not_understood" else 0)
-    for sentence in _sentences():
+        sys.exit(common.EXIT_NOT_UNDERSTOOD if answer["kind"] == "not_understood" else 0)
+    for sentence in common.sentences():
         answer = described(sentence)
         click.echo(as_json_line(answer) if as_json else as_text(answer))
 
@@ -189,6 +157,10 @@ def demo(fast: bool, typed: bool, engine: str, seed: int, picture: Path | None) 
     sys.exit(play(fast=fast, typed=typed, engine=engine, seed=seed, picture=picture))
 
 
+for command in managing.COMMANDS:
+    cli.add_command(command)
+
+
 def main() -> NoReturn:
     """The console script: errors become one line, never a traceback (but for SAYSO_DEBUG=1)."""
     try:
@@ -197,7 +169,7 @@ def main() -> NoReturn:
         if os.environ.get("SAYSO_DEBUG"):
             raise
         click.echo(f"sayso: {_said(error)}", err=True)
-        sys.exit(EXIT_CONFIG if type(error).__name__ == "ConfigError" else EXIT_FAILED)
+        sys.exit(EXIT_CONFIG if type(error).__name__ == "ConfigError" else common.EXIT_FAILED)
     sys.exit(0)
 
 
@@ -207,73 +179,6 @@ def _said(error: Exception) -> str:
     if known or isinstance(error, OSError | click.ClickException):
         return str(error)
     return f"internal error ({type(error).__name__}: {error}); SAYSO_DEBUG=1 tells more"
-
-
-def _config(path: Path | None) -> Config:
-    from daemon.config import load
-
-    return load(path)
-
-
-def _client(config: Config) -> Client | None:
-    """A connection to the running daemon, None where none runs."""
-    from daemon.config import socket_path
-    from daemon.control.client import Client
-
-    try:
-        return Client(socket_path(config))
-    except (FileNotFoundError, ConnectionRefusedError):
-        return None
-
-
-def _running(config: Config) -> Client:
-    client = _client(config)
-    if client is None:
-        raise click.ClickException("no daemon runs (start it with: sayso run)")
-    return client
-
-
-def _follow(client: Client, request: Request) -> int:
-    """Send it, print what happens; the exit status."""
-    from daemon.control.messages import Done, Happened
-    from daemon.control.report import line
-
-    outcome = "failed"
-    with client:
-        for answer in client.ask(request):
-            if isinstance(answer, Happened) and (shown := line(answer.event)) is not None:
-                click.echo(shown)
-            elif isinstance(answer, Done):
-                outcome = answer.outcome
-    return _status(outcome)
-
-
-def _status(outcome: str) -> int:
-    from daemon.outcome import EXIT_STATUS
-
-    if outcome == "running":
-        click.echo("still going on")
-    return EXIT_STATUS[outcome]
-
-
-def _show_event(event: object) -> None:
-    from daemon.control.report import line
-    from daemon.events import Event, as_dict
-
-    assert isinstance(event, Event)
-    if (shown := line(as_dict(event))) is not None:
-        click.echo(shown)
-
-
-def _sentences() -> Iterator[str]:
-    """Lines of standard input; what is not UTF-8 becomes a mark that no word contains."""
-    for raw in sys.stdin.buffer:
-        yield raw.rstrip(b"\r\n").decode("utf-8", errors="replace")
-
-
-def _clean(text: str) -> str:
-    """Arguments that were not UTF-8 arrive as lone surrogates, which nothing can print."""
-    return text.encode("utf-8", errors="replace").decode("utf-8")
 
 
 if __name__ == "__main__":

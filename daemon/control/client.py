@@ -18,14 +18,14 @@ class ControlError(Exception):
 
 
 class Client:
-    """One connection to a running daemon.
+    """One connection to a running daemon. answer_s: how long an answer may take; None: for ever.
 
     Raises:
         FileNotFoundError, ConnectionRefusedError: none runs.
         OSError: it cannot be reached.
     """
 
-    def __init__(self, path: Path, answer_s: float = ANSWER_S) -> None:
+    def __init__(self, path: Path, answer_s: float | None = ANSWER_S) -> None:
         self._socket = socket.socket(socket.AF_UNIX)
         self._socket.settimeout(answer_s)
         try:

@@ -12,11 +12,16 @@ import msgspec
 VERSION: Final = 1
 LINE_BYTES: Final = 16_384  # longest request
 TEXT_LENGTH: Final = 1_000
+NAME_LENGTH: Final = 60
 REQUESTS_A_SECOND: Final = 20.0
 BURST: Final = 40
+LESSONS_AT_ONCE: Final = 500
+FORGET_AT_ONCE: Final = 100
+LOG_AT_ONCE: Final = 1_000
 
 Text = Annotated[str, msgspec.Meta(min_length=1, max_length=TEXT_LENGTH)]
-Name = Annotated[str, msgspec.Meta(max_length=60)]
+Name = Annotated[str, msgspec.Meta(max_length=NAME_LENGTH)]
+Number = Annotated[int, msgspec.Meta(ge=0, le=2**62)]
 OutcomeWord = Literal["done", "failed", "not_understood", "running"]
 
 
@@ -40,10 +45,11 @@ class Request(
 
 
 class Say(Request, frozen=True, forbid_unknown_fields=True, kw_only=True):
-    """One typed utterance; answered when nothing is going on any more."""
+    """One typed utterance; answered when nothing is going on any more. aloud: lessons are acknowledged by voice."""
 
     text: Text
     speaker: Name = ""
+    aloud: bool = True
 
 
 class Hear(Request, frozen=True, forbid_unknown_fields=True, kw_only=True):
@@ -59,6 +65,26 @@ class Stop(Request, frozen=True, forbid_unknown_fields=True, kw_only=True):
 
 class Status(Request, frozen=True, forbid_unknown_fields=True, kw_only=True):
     """How are hearing, mind and link?"""
+
+
+class Lessons(Request, frozen=True, forbid_unknown_fields=True, kw_only=True):
+    """Lessons with a greater number than `after`, at most `most`, those taken back as well."""
+
+    after: Number = 0
+    most: Annotated[int, msgspec.Meta(ge=1, le=LESSONS_AT_ONCE)] = LESSONS_AT_ONCE
+
+
+class Forget(Request, frozen=True, forbid_unknown_fields=True, kw_only=True):
+    """Take these lessons back; all of them or, where one is not in force, none."""
+
+    lessons: Annotated[tuple[Number, ...], msgspec.Meta(min_length=1, max_length=FORGET_AT_ONCE)]
+    speaker: Name = ""
+
+
+class Log(Request, frozen=True, forbid_unknown_fields=True, kw_only=True):
+    """The last entries of the log."""
+
+    last: Annotated[int, msgspec.Meta(ge=1, le=LOG_AT_ONCE)] = 20
 
 
 class Watch(Request, frozen=True, forbid_unknown_fields=True, kw_only=True):
@@ -85,7 +111,7 @@ class Done(Answer, frozen=True, kw_only=True):
 
 
 class Told(Answer, frozen=True, kw_only=True):
-    """The answer to Status, or to Stop (epoch)."""
+    """The answer to Status, Stop (epoch), Lessons (lessons: rows of daemon/lessons.py; more) or Log (entries)."""
 
     facts: dict[str, Any]
 
@@ -96,7 +122,7 @@ class Wrong(Answer, frozen=True, kw_only=True):
     error: str
 
 
-AnyRequest = Say | Hear | Stop | Status | Watch
+AnyRequest = Say | Hear | Stop | Status | Lessons | Forget | Log | Watch
 AnyAnswer = Happened | Done | Told | Wrong
 
 _requests: Final[msgspec.json.Decoder[AnyRequest]] = msgspec.json.Decoder(AnyRequest)

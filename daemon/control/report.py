@@ -29,6 +29,8 @@ def line(event: Mapping[str, Any]) -> str | None:
             return _row("done", f"{text or function}: {verdict}")
         case {"event": "prohibited", "by": by}:
             return _row("forbidden", f"by: {by}")
+        case {"event": "retracted", "ident": ident, "words": words}:
+            return _row("forgotten", f"{ident}: {words}")
         case {"event": "stopped"}:
             return _row("stopped", "")
         case {"event": "link", "up": False}:

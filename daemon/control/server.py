@@ -5,6 +5,7 @@ from __future__ import annotations
 import asyncio
 import os
 import socket
+import sqlite3
 import struct
 from collections.abc import Callable
 from contextlib import suppress
@@ -14,13 +15,33 @@ from typing import Final, Protocol
 from daemon import events
 from daemon.control import messages
 from daemon.control.messages import Done, Happened, OutcomeWord, Told, Wrong
+from daemon.lessons import Row
+from daemon.logbook import Entry
 
 MODE_MASK: Final = 0o117  # the socket is 0660
 CONNECTIONS: Final = 16
 AT_ONCE: Final = 8  # requests of one connection that may run side by side
+Slow = (
+    messages.Say
+    | messages.Hear
+    | messages.Forget
+    | messages.Lessons
+    | messages.Log
+    | messages.Watch
+)
 BACKLOG_BYTES: Final = (
     1 << 20
 )  # what a client that does not read may leave unread before it is let go
+
+
+class Reader(Protocol):
+    """What clients may read."""
+
+    async def lessons(self, after: int, most: int) -> tuple[Row, ...]:
+        """Lessons with a greater number, at most so many."""
+
+    async def log(self, last: int) -> tuple[Entry, ...]:
+        """The last entries of the log."""
 
 
 class Desk(Protocol):
@@ -29,8 +50,15 @@ class Desk(Protocol):
     def subscribe(self, see: Callable[[events.Event], None]) -> Callable[[], None]:
         """Be told of every event; call the result to end it."""
 
-    async def say(self, text: str, speaker: str, source: str) -> OutcomeWord:
+    @property
+    def book(self) -> Reader:
+        """What it was taught and told."""
+
+    async def say(self, text: str, speaker: str, source: str, aloud: bool = True) -> OutcomeWord:
         """Take a typed utterance and wait for what it comes to."""
+
+    async def forget(self, numbers: tuple[int, ...], speaker: str, source: str) -> OutcomeWord:
+        """Take lessons back by their numbers and wait for what it comes to."""
 
     async def hear(self, path: Path, speaker: str, source: str) -> OutcomeWord:
         """Take what a WAV file says and wait for what it comes to."""
@@ -175,24 +203,39 @@ class _Talk:
         self._running.add(task)
         task.add_done_callback(self._running.discard)
 
-    async def _run(self, request: messages.Say | messages.Hear | messages.Watch) -> None:
+    async def _run(self, request: Slow) -> None:
         unsubscribe = self._desk.subscribe(
-            lambda event: self.answer(Happened(id=request.id, event=events.as_dict(event)))
+            lambda event: (
+                self.answer(Happened(id=request.id, event=events.as_dict(event)))
+                if not isinstance(request, messages.Lessons | messages.Log)
+                else None
+            )
         )
         try:
-            match request:
-                case messages.Say(text=text, speaker=speaker):
-                    outcome = await self._desk.say(text, speaker, self._source)
-                    self.answer(Done(id=request.id, outcome=outcome))
-                case messages.Hear(path=path, speaker=speaker):
-                    outcome = await self._desk.hear(Path(path), speaker, self._source)
-                    self.answer(Done(id=request.id, outcome=outcome))
-                case messages.Watch():
-                    await asyncio.get_running_loop().create_future()
-        except (OSError, ValueError) as error:
+            self.answer(await self._answered(request))
+        except (OSError, ValueError, sqlite3.Error) as error:
             self.answer(Wrong(id=request.id, error=str(error)))
         finally:
             unsubscribe()
+
+    async def _answered(self, request: Slow) -> messages.Answer:
+        desk, ident = self._desk, request.id
+        match request:
+            case messages.Say(text=text, speaker=speaker, aloud=aloud):
+                outcome = await desk.say(text, speaker, self._source, aloud)
+            case messages.Hear(path=path, speaker=speaker):
+                outcome = await desk.hear(Path(path), speaker, self._source)
+            case messages.Forget(lessons=numbers, speaker=speaker):
+                outcome = await desk.forget(numbers, speaker, self._source)
+            case messages.Lessons(after=after, most=most):
+                found = await desk.book.lessons(after, most + 1)
+                facts = {"lessons": found[:most], "more": len(found) > most}
+                return Told(id=ident, facts=facts)
+            case messages.Log(last=last):
+                return Told(id=ident, facts={"entries": await desk.book.log(last)})
+            case messages.Watch():
+                await asyncio.get_running_loop().create_future()
+        return Done(id=ident, outcome=outcome)
 
     def _may(self) -> bool:
         now_s = asyncio.get_running_loop().time()

@@ -25,7 +25,9 @@ def procedure(telling: Telling, chain: Chain, form: VerbForm = "base") -> str:
         for name in directive.graphlet.mentioned
         if (directive.tag, name) != ("FIND", directive.graphlet.main)
     }
-    return " then ".join(filter(None, (_play(telling, p, form, spoken) for p in chain.plays)))
+    looked_up = [d.graphlet.main for d in chain.directives() if d.tag == "FIND" and d.graphlet]
+    plays = (_play(telling, _by_mention(play, looked_up), form, spoken) for play in chain.plays)
+    return " then ".join(filter(None, plays))
 
 
 def _watched(chain: Chain) -> Iterator[Graphlet]:
@@ -59,6 +61,22 @@ def _less(part: Part, tag: str) -> Part:
     if isinstance(part, Loop):
         return replace(part, body=without(part.body, tag))
     return without(part, tag) if isinstance(part, Chain) else part
+
+
+def _by_mention(play: Play, looked_up: list[str]) -> Play:
+    """The parts of a play have no order, the look-ups before it have: what is looked up first is mentioned first."""
+
+    def first(part: Part) -> int | None:
+        graphlet = part.graphlet if isinstance(part, Directive) else None
+        mentioned = graphlet.mentioned if graphlet else ()
+        return next((at for at, name in enumerate(looked_up) if name in mentioned), None)
+
+    def ordered(parts: tuple[Part, ...]) -> tuple[Part, ...]:
+        ranks = [(rank, at) for at, part in enumerate(parts) if (rank := first(part)) is not None]
+        places = iter(sorted(ranks))
+        return tuple(parts[next(places)[1]] if first(part) is not None else part for part in parts)
+
+    return Play(ordered(play.required), ordered(play.auxiliary))
 
 
 def _play(telling: Telling, play: Play, form: VerbForm, spoken: set[str]) -> str:

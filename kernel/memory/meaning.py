@@ -82,10 +82,16 @@ class Social:
 
 @dataclass(frozen=True, slots=True)
 class Control:
-    """Steering the robot's mind, not its body. about: what is to be stopped or forgotten, where that was said."""
+    """Steering the robot's mind, not its body.
+
+    Attributes:
+        about: what is to be stopped or forgotten, where that was said.
+        lessons: numbers of the lessons to be forgotten, where these were given instead.
+    """
 
     act: Literal["stop", "cancel", "undo", "forget", "resume", "repeat", "learned"]
     about: Graphlet | None = None
+    lessons: tuple[int, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)

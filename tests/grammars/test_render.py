@@ -12,7 +12,7 @@ from grammars.parse import parse
 from grammars.registry import discover
 from grammars.render import gist, render
 from kernel.memory.meaning import Meaning, Teach
-from kernel.memory.notation import read, write_meaning
+from kernel.memory.notation import canonical, read, write_meaning
 from tests.grammars import nets
 
 PROCEDURES = [
@@ -352,6 +352,20 @@ def test_any_command(meaning: Meaning) -> None:
 )
 def test_any_operator(meaning: Teach) -> None:
     same(render(meaning, "teacher"), meaning.kind, meaning)
+
+
+@settings(max_examples=40, deadline=None)
+@given(st.one_of(nets.procedures, nets.arounds, nets.reactions, nets.prohibitions))
+def test_any_operator_as_it_is_stored(meaning: Teach) -> None:
+    """The store keeps the canonical form, in which what has no order is sorted."""
+    same(render(canonical(meaning.content), "teacher"), meaning.kind, meaning)
+
+
+def test_things_are_mentioned_in_the_order_they_are_looked_up() -> None:
+    meaning = parse("to zorp, push Mary and grab Rick").meaning
+    assert isinstance(meaning, Teach)
+    said = render(canonical(meaning.content), "teacher")
+    assert said == "to zorp, push Mary and grab Rick"
 
 
 @settings(max_examples=25, deadline=None)

@@ -30,6 +30,7 @@ BAD_IMPORTS = [
     ("forms", "grammars/forms/fact.py", "grammars.forms.question"),
     ("lark", "grammars/render.py", "lark"),
     ("pymunk", "kernel/bodies/forklift/body.py", "pymunk.vec2d"),
+    ("prompt_toolkit", "daemon/control/cli.py", "prompt_toolkit"),
     ("pyserial", "daemon/control/cli.py", "serial.tools.list_ports"),
     ("sounddevice", "daemon/control/cli.py", "sounddevice"),
     ("vosk", "daemon/control/cli.py", "vosk"),

@@ -18,7 +18,12 @@ from daemon import events
 from daemon.control import messages
 from daemon.control.client import Client, ControlError
 from daemon.control.messages import Done, Happened, OutcomeWord, Told
+from daemon.control.reach import ReachError, Running
 from daemon.control.server import AT_ONCE, CONNECTIONS, ControlServer, SocketTakenError
+from daemon.lessons import Row
+from daemon.logbook import Entry
+
+LESSONS = 2 * messages.LESSONS_AT_ONCE + 1
 
 
 class RecordingDesk:
@@ -33,7 +38,24 @@ class RecordingDesk:
         self.watchers.append(see)
         return lambda: self.watchers.remove(see)
 
-    async def say(self, text: str, speaker: str, source: str) -> OutcomeWord:
+    @property
+    def book(self) -> RecordingDesk:
+        return self
+
+    async def lessons(self, after: int, most: int) -> tuple[Row, ...]:
+        return tuple(Row(ident=n, words="dance") for n in range(1, LESSONS + 1) if n > after)[:most]
+
+    async def log(self, last: int) -> tuple[Entry, ...]:
+        self.asked.append(("log", str(last)))
+        return (Entry(at_s=1.5, what="said", text="dance"),)
+
+    async def forget(self, numbers: tuple[int, ...], speaker: str, source: str) -> OutcomeWord:
+        self.asked.append(("forget", str(numbers), speaker, source))
+        if 9 in numbers:
+            raise ValueError("there is no lesson 9")
+        return "done"
+
+    async def say(self, text: str, speaker: str, source: str, aloud: bool = True) -> OutcomeWord:
         self.asked.append(("say", text, speaker, source))
         for see in self.watchers:
             see(events.Heard(t=1.0, text=text))
@@ -272,3 +294,78 @@ async def test_serving_can_be_started_again_after_it_failed(
         task.cancel()
         with suppress(asyncio.CancelledError):
             await task
+
+
+async def test_lessons_come_in_pages(served: Path) -> None:
+    request = messages.Lessons(v=1, id=3, after=1, most=2)
+    (answer,) = await asyncio.to_thread(ask, served, request)
+    assert isinstance(answer, Told)
+    assert answer.id == 3
+    assert [row["ident"] for row in answer.facts["lessons"]] == [2, 3]
+    assert answer.facts["more"] is True
+    end = messages.Lessons(v=1, after=LESSONS - 2, most=2)
+    (last,) = await asyncio.to_thread(ask, served, end)
+    assert isinstance(last, Told)
+    assert last.facts["more"] is False
+
+
+async def test_a_client_reads_all_pages_and_the_log(served: Path, desk: RecordingDesk) -> None:
+    def read() -> tuple[list[int], tuple[Entry, ...]]:
+        with Running(Client(served, answer_s=5)) as robot:
+            return [row.ident for row in robot.lessons()], robot.log(7)
+
+    numbers, log = await asyncio.to_thread(read)
+    assert numbers == list(range(1, LESSONS + 1))
+    assert log == (Entry(at_s=1.5, what="said", text="dance"),)
+    assert desk.asked == [("log", "7")]
+
+
+async def test_events_do_not_come_between_what_was_asked_for(
+    served: Path, desk: RecordingDesk
+) -> None:
+    reader, writer = await asyncio.open_unix_connection(str(served))
+    desk.hold = asyncio.Event()
+    writer.write(messages.line(messages.Log(v=1, id=1)))
+    writer.write(messages.line(messages.Say(v=1, id=2, text="dance")))
+    answers = [json.loads(await reader.readline()) for _ in range(2)]
+    assert {(a["is"], a["id"]) for a in answers} == {("told", 1), ("happened", 2)}
+    desk.hold.set()
+    writer.close()
+
+
+async def test_forgetting_is_told_to_the_daemon_or_says_what_is_wrong(
+    served: Path, desk: RecordingDesk
+) -> None:
+    def forget(*numbers: int) -> str:
+        with Running(Client(served, answer_s=5)) as robot:
+            return robot.forget(numbers, "Mary", lambda _event: None)
+
+    assert await asyncio.to_thread(forget, 2, 4) == "done"
+    assert desk.asked == [("forget", "(2, 4)", "Mary", f"control uid={os.getuid()}")]
+    with pytest.raises(ReachError, match="there is no lesson 7000"):
+        await asyncio.to_thread(forget, 2, 7000)
+    assert len(desk.asked) == 1, "nothing was asked for"
+    with pytest.raises(ControlError, match="there is no lesson 9"):
+        await asyncio.to_thread(ask, served, messages.Forget(v=1, lessons=(9,)))
+
+
+@pytest.mark.parametrize(
+    "request_line",
+    [
+        b'{"do":"lessons","v":1,"most":501}',
+        b'{"do":"lessons","v":1,"most":0}',
+        b'{"do":"lessons","v":1,"after":-1}',
+        b'{"do":"forget","v":1,"lessons":[]}',
+        b'{"do":"forget","v":1,"lessons":["one"]}',
+        b'{"do":"forget","v":1,"lessons":[99999999999999999999]}',
+        b'{"do":"forget","v":1,"lessons":[' + b",".join([b"1"] * 101) + b"]}",
+        b'{"do":"log","v":1,"last":1001}',
+        b'{"do":"log","v":2}',
+    ],
+)
+async def test_requests_about_lessons_are_bounded(
+    served: Path, desk: RecordingDesk, request_line: bytes
+) -> None:
+    (answer,) = await talk(served, request_line + b"\n")
+    assert answer["is"] == "wrong"
+    assert desk.asked == []

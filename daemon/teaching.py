@@ -1,0 +1,154 @@
+"""A file of lessons, understood as a whole before any of it is taught."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass, field
+
+from daemon.control.messages import NAME_LENGTH
+from daemon.lessonfile import Line
+from daemon.lessons import Row
+from grammars.errors import NotUnderstoodError
+from grammars.knowledge import born
+from grammars.parse import parse
+from grammars.replies import say
+from grammars.vocabulary import Vocabulary, from_policy
+from kernel.memory.lesson import Content, Lesson, LessonKind
+from kernel.memory.meaning import Fact, Meaning, Teach
+from kernel.memory.notation import canonical, write
+from kernel.net.graphlet import Graphlet
+
+
+@dataclass(frozen=True, slots=True)
+class Wrong:
+    """A line that cannot be taught, and what to do about it."""
+
+    line: Line
+    why: str
+
+
+@dataclass(frozen=True, slots=True)
+class Plan:
+    """What is to be taught, in the order in which each sentence can be understood.
+
+    Attributes:
+        new: to be said; known: lines whose net is in force already.
+        wrong: where there are any, nothing is to be taught.
+    """
+
+    new: tuple[tuple[Line, Lesson], ...]
+    known: tuple[Line, ...]
+    wrong: tuple[Wrong, ...]
+
+
+@dataclass
+class _Reading:
+    """Words as they become known, line by line."""
+
+    policy: list[Lesson]
+    vocabulary: Vocabulary = field(init=False)
+
+    def __post_init__(self) -> None:
+        self.vocabulary = from_policy(self.policy)
+
+    def learn(self, lesson: Lesson) -> None:
+        """Know its words; the whole vocabulary is made again only where it brings some."""
+        self.policy.append(lesson)
+        taught = self.vocabulary.taught
+        brought = from_policy([lesson]).taught
+        if any(readings.keys() - taught.get(word, {}) for word, readings in brought.items()):
+            self.vocabulary = from_policy(self.policy)
+
+
+def plan(lines: Sequence[Line], rows: Iterable[Row]) -> Plan:
+    """Read every line with the words the lessons in force and the other lines bring.
+
+    Lines that are not understood yet wait for those that are: the order of a file does not matter.
+    """
+    in_force = [row.lesson for row in rows if row.counts]
+    known = Counter(map(_key, in_force))
+    reading = _Reading([*born(), *in_force])
+    new: list[tuple[Line, Lesson]] = []
+    repeated: list[Line] = []
+    wrong: list[Wrong] = []
+    waiting, before = list(lines), len(lines) + 1
+    while waiting and len(waiting) < before:
+        before, waiting = len(waiting), _pass(waiting, reading, known, new, repeated, wrong)
+    wrong += [Wrong(line, _puzzled(line, reading.vocabulary)) for line in waiting]
+    return Plan(tuple(new), tuple(repeated), tuple(sorted(wrong, key=lambda w: w.line.number)))
+
+
+def _pass(
+    lines: list[Line],
+    reading: _Reading,
+    known: Counter[tuple[str, str]],
+    new: list[tuple[Line, Lesson]],
+    repeated: list[Line],
+    wrong: list[Wrong],
+) -> list[Line]:
+    """Sort the lines that are understood now; the others."""
+    waiting = []
+    for line in lines:
+        try:
+            meaning = parse(line.text, reading.vocabulary).meaning
+        except NotUnderstoodError:
+            waiting.append(line)
+            continue
+        lesson = lesson_of(meaning, line.text)
+        if len(line.speaker or "") > NAME_LENGTH:
+            wrong.append(Wrong(line, f"a name has at most {NAME_LENGTH} characters"))
+        elif lesson is None:
+            kind = type(meaning).__name__.lower()
+            wrong.append(Wrong(line, f"a {kind} is no lesson: say it to the robot (`sayso say`)"))
+        elif known[_key(lesson)] > 0:
+            known[_key(lesson)] -= 1
+            repeated.append(line)
+        else:
+            reading.learn(lesson)
+            new.append((line, lesson))
+    return waiting
+
+
+def lesson_of(meaning: Meaning, words: str) -> Lesson | None:
+    """The lesson a sentence teaches or the fact it tells, not stored; None for all else."""
+    match meaning:
+        case Teach(kind, content):
+            return Lesson(0, kind, canonical(content), words)
+        case Fact(fact, finds):
+            terms = {term.name: term for graphlet in (*finds, fact) for term in graphlet}
+            whole = Graphlet(tuple(terms.values()), fact.main)
+            return Lesson(0, "fact", canonical(whole), words)
+    return None
+
+
+def changed(rows: Sequence[Row]) -> Iterator[tuple[Row, str]]:
+    """Lessons in force whose words mean something else now, or nothing; and what they mean."""
+    lessons = [(row, row.lesson) for row in rows if row.counts and row.words and not row.origins]
+    vocabulary = from_policy([*born(), *(lesson for _, lesson in lessons)])
+    for row, lesson in lessons:
+        now, kind = _now(row.words, vocabulary)
+        if now is None or (kind, write(now)) != _key(lesson):
+            yield row, kind
+
+
+def _now(words: str, vocabulary: Vocabulary) -> tuple[Content | None, LessonKind | str]:
+    """Content and kind of the words, or nothing and why not."""
+    try:
+        parsed = parse(words, vocabulary)
+    except NotUnderstoodError:
+        return None, "no longer understood"
+    lesson = lesson_of(parsed.meaning, words)
+    return (lesson.content, lesson.kind) if lesson else (None, f"now a {parsed.kind}")
+
+
+def _key(lesson: Lesson) -> tuple[str, str]:
+    return lesson.kind, write(lesson.content)
+
+
+def _puzzled(line: Line, vocabulary: Vocabulary) -> str:
+    try:
+        parse(line.text, vocabulary)
+    except NotUnderstoodError as error:
+        return say(error).shown
+    return ""
