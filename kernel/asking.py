@@ -14,8 +14,8 @@ from kernel.memory.attention import Focus
 from kernel.memory.experience import Deed
 from kernel.memory.explanation import Asked, Lessons
 from kernel.memory.lesson import Lesson, Operator
-from kernel.memory.likeness import affirmed, description, grounded, is_like, verb
 from kernel.memory.meaning import Question
+from kernel.memory.meant import affirmed, description, grounded, is_like, verb
 from kernel.memory.reply import Reply
 from kernel.net.graphlet import Graphlet, Term
 from kernel.net.match import Binding

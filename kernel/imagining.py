@@ -17,8 +17,8 @@ from kernel.commons import Commons
 from kernel.memory.exchange import Inputs, Outputs
 from kernel.memory.experience import Deed, Experience, Trouble
 from kernel.memory.explanation import PlanStep
-from kernel.memory.likeness import grounded
 from kernel.memory.meaning import Command, Heard, Utterance
+from kernel.memory.meant import grounded
 from kernel.memory.recall import THINGS
 from kernel.memory.working import WorkingMemory
 from kernel.net.graphlet import Graphlet, Term

@@ -5,7 +5,7 @@ from __future__ import annotations
 from kernel.asking import Asking, answers
 from kernel.memory.experience import Deed
 from kernel.memory.explanation import Because, Counted, Moment
-from kernel.memory.likeness import is_like
+from kernel.memory.meant import is_like
 from kernel.memory.reply import Answer, Reply
 
 

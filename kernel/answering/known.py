@@ -8,7 +8,7 @@ from kernel.asking import Asking, answers
 from kernel.memory.explanation import Knowledge, Lessons
 from kernel.memory.inference import says_something
 from kernel.memory.lesson import Lesson, Operator, Rule
-from kernel.memory.likeness import description
+from kernel.memory.meant import description
 from kernel.memory.recall import THINGS
 from kernel.net.graphlet import Graphlet, Term
 from kernel.net.match import matches

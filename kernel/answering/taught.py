@@ -7,7 +7,7 @@ from kernel.memory.experience import Source
 from kernel.memory.explanation import Taught
 from kernel.memory.inference import inferences
 from kernel.memory.lesson import Lesson, Operator, Rule
-from kernel.memory.likeness import grounded, words_alike
+from kernel.memory.meant import grounded, words_alike
 from kernel.memory.recall import THINGS, is_so
 from kernel.net.graphlet import Graphlet
 from kernel.net.match import holds, matches

@@ -4,7 +4,7 @@ import pytest
 
 from kernel.action.call import GROUNDINGS
 from kernel.action.discover import load_all
-from kernel.memory.likeness import SAME, grounded, is_like
+from kernel.memory.meant import SAME, grounded, is_like
 from kernel.memory.working import WorkingMemory
 from tests.kernel.conftest import net
 
