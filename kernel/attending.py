@@ -8,10 +8,12 @@ from __future__ import annotations
 
 from typing import Protocol
 
+from kernel import adapting, managing, revising
 from kernel.action.chain import Directive
 from kernel.action.step import DIRECTIVES, Run
 from kernel.action.verdict import Verdict
 from kernel.commons import Commons
+from kernel.learning import LEARNING
 from kernel.memory.attention import Focus
 from kernel.memory.lesson import Content, Lesson, LessonKind
 from kernel.memory.meaning import (
@@ -25,10 +27,9 @@ from kernel.memory.meaning import (
     Revision,
     Social,
     Teach,
-    Utterance,
 )
-from kernel.memory.notation import canonical
-from kernel.memory.reply import FactTaken, Greeted, Met, NotYet
+from kernel.memory.recent import Saying
+from kernel.memory.reply import FactTaken, Greeted, Met, NothingToDo, NotYet
 from kernel.net.graphlet import Graphlet
 from kernel.net.match import Binding
 from kernel.net.node import Node
@@ -47,17 +48,25 @@ def attend(mind: Listener, commons: Commons, focus: Focus) -> Run:
     heard = focus.heard
     if heard is None:
         return Verdict.SUCCEEDED
-    if heard.utterance.speaker:
+    if heard.utterance.speaker or heard.utterance.candidates:
         mind.speaker = heard.utterance.speaker.lower()
     memory = commons.memory
     memory.person_speaking(mind.speaker)
+    focus.by = mind.speaker
     words = ("ask",) if isinstance(heard.meaning, Question) else ("tell", "ask")
     focus.speech_act = memory.net.new("input", *words, agt=memory.user, dest=memory.me)
     focus.nodes[focus.speech_act] = None
+    for name in heard.utterance.candidates:
+        memory.net.link(focus.speech_act, "agt", memory.person(name.lower()))
+    answered = managing.answered(commons, heard.meaning)
+    if not answered:
+        commons.asked = None  # whatever else is said closes the question
     if isinstance(heard.meaning, Command):
         _quote(commons, focus, heard.meaning)
     memory.changed()
     yield from noted(commons, focus, (focus.speech_act,))
+    if answered:
+        return Verdict.SUCCEEDED
     return (yield from _content(mind, commons, focus, heard))
 
 
@@ -107,13 +116,13 @@ def noted(commons: Commons, focus: Focus, nodes: tuple[Node, ...]) -> Run:
 def _content(mind: Listener, commons: Commons, focus: Focus, heard: Heard) -> Run:
     frame = Frame(commons, focus, {})
     match heard.meaning:
-        case Command(chain):
-            return (yield from frame.chain(chain))
+        case Command() as command:
+            return (yield from revising.obey(commons, focus, command))
         case Fact(fact, finds):
-            return (yield from _fact(mind, commons, focus, fact, finds))
+            return (yield from _fact(commons, focus, fact, finds))
         case Teach(kind, content):
-            focus.lesson = _lesson(mind, focus, kind, content)
-            return (yield from frame.directive(Directive("ADD")))
+            focus.lesson = _lesson(focus, kind, content)
+            return (yield from frame.directive(Directive("ADD", LEARNING)))
         case Question() as question:
             if question.topic not in ("", "identity"):
                 commons.replies.append(NotYet(f"questions about {question.topic}"))
@@ -126,20 +135,33 @@ def _content(mind: Listener, commons: Commons, focus: Focus, heard: Heard) -> Ru
             commons.replies.append(Met(name))
         case Social() as social:
             commons.replies.append(Greeted(social, mind.speaker))
-        case Feedback(stop=stop):
-            if not stop:
-                commons.replies.append(NotYet("feedback"))
-        case Control(act):
-            if act != "stop":
-                commons.replies.append(NotYet(act))
-        case Revision():
-            commons.replies.append(NotYet("revision"))
+        case Feedback(good):
+            return (yield from adapting.feedback(commons, focus, good=good))
+        case Control() as control:
+            return (yield from _control(commons, focus, control))
+        case Revision() as revision:
+            return (yield from revising.revise(commons, focus, revision))
     return Verdict.SUCCEEDED
 
 
-def _fact(
-    mind: Listener, commons: Commons, focus: Focus, fact: Graphlet, finds: tuple[Graphlet, ...]
-) -> Run:
+def _control(commons: Commons, focus: Focus, control: Control) -> Run:
+    match control.act:
+        case "undo":
+            return (yield from managing.undo(commons, focus))
+        case "undo_today":
+            return (yield from managing.undo_today(commons, focus))
+        case "forget":
+            return (yield from managing.forget(commons, focus, control))
+        case "repeat":
+            return (yield from revising.repeat(commons, focus))
+        case "cancel" | "resume" | "learned" as act:
+            commons.replies.append(NotYet(act))
+        case "keep" | "replace":
+            commons.replies.append(NothingToDo("answer"))
+    return Verdict.SUCCEEDED
+
+
+def _fact(commons: Commons, focus: Focus, fact: Graphlet, finds: tuple[Graphlet, ...]) -> Run:
     """Look up or make what the fact is about, take it for true, keep it if it is to last, react to it."""
     memory = commons.memory
     frame = Frame(commons, focus, {})
@@ -149,29 +171,17 @@ def _fact(
         memory.remember_description(
             [frame.binding[t.name] for t in find.terms if t.name in frame.binding]
         )
-    frame.binding, carrying = memory.tell(fact, frame.binding)
-    commons.record("fact", focus, text=" ".join(sorted(fact.words())))
-    if _lasts(fact, finds):
-        terms = {t.name: t for g in (*finds, fact) for t in g.terms}
-        whole = canonical(Graphlet(tuple(terms.values()), fact.main))
-        if all(lesson.content != whole for lesson in commons.lessons.values()):
-            focus.lesson = _lesson(mind, focus, "fact", whole)
-            stored = yield from frame.directive(Directive("ADD"))
-            if not stored.ok:
-                return stored
+    told = Fact(fact, finds)
+    focus.lesson = _lesson(focus, "fact", managing.whole(told))
+    focus.saying = Saying(told, frame.binding)
+    learned = yield from Frame(commons, focus, {}).directive(Directive("ADD", LEARNING))
+    if not learned.ok:
+        return learned
     commons.replies.append(FactTaken(fact, finds))
-    return (yield from noted(commons, focus, carrying))
+    return (yield from noted(commons, focus, focus.told))
 
 
-def _lesson(mind: Listener, focus: Focus, kind: LessonKind, content: Content) -> Lesson:
+def _lesson(focus: Focus, kind: LessonKind, content: Content) -> Lesson:
     """The lesson of an utterance, not stored yet."""
-    utterance = focus.heard.utterance if focus.heard else Utterance("")
-    return Lesson(0, kind, content, utterance.text, mind.speaker, utterance.at_s)
-
-
-def _lasts(fact: Graphlet, finds: tuple[Graphlet, ...]) -> bool:
-    """Facts of kind about a named individual are kept like lessons (mind.md)."""
-    named = {t.name for g in (*finds, fact) for t in g.terms if t.kind == "obj" and t.lex}
-    named -= {t.name for g in (*finds, fact) for t in g.terms if t.lex & {"you", "me"}}
-    main = next((t for t in fact.terms if t.name == fact.main), None)
-    return main is not None and any(role == "ako" and to in named for role, to in main.links)
+    change = focus.changing()
+    return Lesson(0, kind, content, change.words, change.by, change.at_s)

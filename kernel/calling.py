@@ -71,6 +71,8 @@ def _served(commons: Commons, focus: Focus, running: Act, ticket: int) -> Run:
                 spoken = True
         elif bid is not None:
             commons.claims.append(Claim(focus.number, bid))
+            if focus is commons.recent.focus and commons.recent.thing == "command":
+                commons.recent.thing = "motion"
         yield
 
 

@@ -19,9 +19,9 @@ from kernel.action.verdict import Verdict
 from kernel.attending import attend, notice
 from kernel.commons import Commons
 from kernel.memory.attention import ROOM, Attention, Failure, Focus
-from kernel.memory.change import Change
+from kernel.memory.change import SESSION, Change
 from kernel.memory.exchange import Inputs, Outputs
-from kernel.memory.lesson import Lesson, Operator
+from kernel.memory.lesson import INNATE, Lesson, Operator
 from kernel.memory.meaning import Heard
 from kernel.memory.operators import Operators
 from kernel.memory.policy import Shift
@@ -34,9 +34,6 @@ from kernel.net.node import Node, describe
 PARTS: Final = ("gripper", "lift", "fork", "wheel", "battery", "finger", "arm")
 TAKEOVERS: Final = 3  # the same reaction may pre-empt the same focus so often in TAKEOVER_S
 TAKEOVER_S: Final = 10.0
-INNATE: Final = (
-    -1_000_000
-)  # number of the first operator of the body's own skills; the others are below
 
 
 class Mind:
@@ -73,8 +70,8 @@ class Mind:
 
     @property
     def policy(self) -> tuple[Lesson, ...]:
-        """Lessons in force, without the operators of the body's own skills."""
-        return tuple(x for x in self._commons.lessons.values() if x.ident > INNATE)
+        """Lessons in force, without the operators of the body's own skills and the facts of the session."""
+        return tuple(x for x in self._commons.lessons.values() if INNATE < x.ident < SESSION)
 
     @property
     def memory(self) -> WorkingMemory:
@@ -102,6 +99,7 @@ class Mind:
         self._think()
         winners = self._arbitrate(now_s)
         self._fade(now_s)
+        commons.recent.say(commons.replies)
         outputs = Outputs(
             bids=() if stopping else winners,
             speech=tuple(commons.speech),
@@ -110,7 +108,7 @@ class Mind:
             shift=commons.shift,
             trace=tuple(commons.trace),
             stop_epoch=self.epoch,
-            busy=bool(self._attention.active()),
+            busy=any(not focus.waiting for focus in self._attention.active()),
         )
         for produced in (commons.speech, commons.replies, commons.persist, commons.trace):
             produced.clear()
@@ -172,6 +170,9 @@ class Mind:
         self._commons.claims.clear()
         for focus in self._attention.active():
             if focus.run is None:
+                continue
+            if focus.dismissed:
+                self._close(focus, Verdict.STOPPED)
                 continue
             try:
                 next(focus.run)

@@ -5,19 +5,21 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING, Final
 
+from kernel import adapting
 from kernel.action.chain import Directive
 from kernel.action.step import Advice, Run, StepReason
 from kernel.action.verdict import Verdict
 from kernel.calling import act_text, call
+from kernel.learning import learn
 from kernel.memory.attention import Failure
-from kernel.memory.change import Change
 from kernel.memory.choice import choice_weights, in_turn
+from kernel.memory.lesson import Lesson
 from kernel.memory.meaning import Question
 from kernel.memory.recall import answer, is_so, known, named
 from kernel.memory.reply import Reason
 from kernel.net.match import matches
 from kernel.net.node import Node, describe
-from kernel.selecting import Chosen, Selection
+from kernel.selecting import Chosen, Selection, names_act
 
 if TYPE_CHECKING:
     from kernel.running import Frame
@@ -31,6 +33,7 @@ class RunningStep:
     def __init__(self, frame: Frame, directive: Directive) -> None:
         self.frame, self.directive = frame, directive
         self.commons, self.focus = frame.commons, frame.focus
+        self.failed: list[Lesson] = []
         self.selection = Selection(
             self.commons, self.focus, frame.within, self.commons.settings.threshold
         )
@@ -46,7 +49,8 @@ class RunningStep:
         else:
             frame.binding = frame.instantiate(graphlet)
         self.selection.node = frame.binding[graphlet.main]
-        if directive.tag == "DO" and self.focus.speech_act is not None and frame.ordered:
+        told = directive.tag in ("DO", "ADD", "EDIT") and frame.ordered
+        if told and self.focus.speech_act is not None:
             memory.net.link(self.focus.speech_act, "cmd", self.selection.node)
         memory.changed()
 
@@ -60,6 +64,9 @@ class RunningStep:
     def operators(self, tag: str) -> Iterator[Chosen]:
         """Applicable operators: NOTE and DO in turn by weight, ANTE and POST all, prohibitions first."""
         found = list(self.selection.applicable(tag))
+        if self.directive.tag in ("ADD", "EDIT"):
+            # "If Rick tells you to do something don't" is about acts: learning has to be named.
+            found = [c for c in found if names_act(c.operator)]
         if tag == "ANTE":
             found.sort(key=lambda c: not c.operator.prohibits)
             found = [c for c in found if not (c.operator.prohibits and self.selection.permitted(c))]
@@ -117,7 +124,10 @@ class RunningStep:
         frame = self.frame.within_operator(advice.binding, advice.lesson)
         if advice.operator.trigger.tag == "NOTE" and self.focus.reaction is None:
             self.focus.reaction = advice.lesson
+        if not self.frame.within and advice.operator.trigger.tag in ("DO", "NOTE"):
+            adapting.begun(self.commons, self.focus, advice.lesson)
         verdict = yield from frame.chain(advice.operator.chain)
+        adapting.ended(self.commons, self.focus, advice.lesson, self.failed, verdict)
         if verdict.ok or advice.operator.trigger.tag in ("POST", "NOTE"):
             self.focus.failure = before
         # A veto stands even where the robot fails at what it should do instead.
@@ -159,16 +169,14 @@ class RunningStep:
 
     def learn(self) -> Run:
         """Wait until the lesson is kept, or is not."""
-        lesson = self.focus.lesson
-        if lesson is None:
-            return Verdict.FAILED
-        change = Change(by=lesson.teacher, words=lesson.words, at_s=lesson.at_s, learned=(lesson,))
-        key = self.commons.keep(self.focus, change)
-        while key in self.commons.pending:
-            yield
-        failure = self.focus.failure
-        refused = failure is not None and failure.reason == "not_stored"
-        return Verdict.FAILED if refused else Verdict.SUCCEEDED
+        learned = yield from learn(self.commons, self.focus)
+        return Verdict.SUCCEEDED if learned else Verdict.FAILED
+
+    def revise(self) -> Run:
+        """Wait until the change is kept, or is not."""
+        change = self.focus.change
+        kept = change is not None and (yield from self.commons.commit(self.focus, change))
+        return Verdict.SUCCEEDED if kept else Verdict.FAILED
 
     def answer(self) -> None:
         """Reply to the focus's question."""

@@ -39,6 +39,9 @@ class Step(Protocol):
     def learn(self) -> Run:
         """Make the lesson at hand durable, then put it in force."""
 
+    def revise(self) -> Run:
+        """Make the change at hand durable, then let it take effect."""
+
     def answer(self) -> None:
         """Reply to the question at hand from memory."""
 

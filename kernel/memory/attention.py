@@ -11,8 +11,10 @@ from typing import Final
 
 from kernel.action.step import Run
 from kernel.action.verdict import Verdict
+from kernel.memory.change import Change
 from kernel.memory.lesson import Lesson
 from kernel.memory.meaning import Heard
+from kernel.memory.recent import Saying
 from kernel.memory.reply import Reason
 from kernel.net.graphlet import Graphlet
 from kernel.net.node import Node
@@ -52,6 +54,9 @@ class Focus:
         failure: why it failed, or is failing.
         reaction: the NOTE operator it followed first; lesson: what it is to learn.
         said: how often it has spoken.
+        by: who spoke, "" if not identified; change: what it is to change.
+        saying: the fact that it is to learn; told: the nodes that carry it.
+        waiting: for an answer, which may never come; dismissed: it is to be ended, by another utterance.
         preempted: when which lesson's reaction took a resource from it, s.
     """
 
@@ -66,12 +71,23 @@ class Focus:
     reaction: Lesson | None = None
     lesson: Lesson | None = None
     said: int = 0
+    by: str = ""
+    change: Change | None = None
+    saying: Saying | None = None
+    told: tuple[Node, ...] = ()
+    waiting: bool = False
+    dismissed: bool = False
     preempted: list[tuple[float, int]] = field(default_factory=list)
 
     @property
     def words(self) -> str:
         """The utterance it descends from, "" for none."""
         return self.heard.utterance.text if self.heard else ""
+
+    def changing(self) -> Change:
+        """A change on behalf of who spoke, with nothing in it yet."""
+        at_s = self.heard.utterance.at_s if self.heard else 0.0
+        return Change(by=self.by, words=self.words, at_s=at_s)
 
 
 class Attention:

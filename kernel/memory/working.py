@@ -201,12 +201,14 @@ class WorkingMemory:
 
     # -- who is there ----------------------------------------------------------------------
 
+    def person(self, name: str) -> Node:
+        """Whoever is known by that name, or becomes so."""
+        known = [n for n in self.net.with_word(name) if n.kind in ("obj", "user")]
+        return known[0] if known else self.net.new("user", name)
+
     def person_speaking(self, name: str) -> None:
         """Make the named person the current user; "" is somebody not identified."""
-        person = self._anyone
-        if name:
-            known = [n for n in self.net.with_word(name) if n.kind in ("obj", "user")]
-            person = known[0] if known else self.net.new("user", name)
+        person = self.person(name) if name else self._anyone
         if person is self.user:
             return
         self.net.unname(self.user, "me")

@@ -359,7 +359,7 @@ def test_greetings_are_returned_by_name(robot: Any) -> None:
 
 
 def test_what_it_cannot_do_yet_it_says_and_does_not_do(robot: Any) -> None:
-    robot.hear(Feedback(good=True))
+    robot.hear(Control("learned"))
     robot.settle()
     assert [type(reply) for reply in robot.replies] == [NotYet]
 
