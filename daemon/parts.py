@@ -51,6 +51,12 @@ def make_mind(settings: MindPart, history: tuple[Change, ...]) -> Mind:
         least_preference=settings.preference_threshold,
         sharpness=settings.sharpness,
         fade_s=settings.fade_s,
+        owner=settings.owner,
+        praise_step=settings.praise_step,
+        blame_step=settings.blame_step,
+        failure_step=settings.failure_step,
+        recovery_step=settings.recovery_step,
+        belief_step=settings.belief_step,
     )
     return Mind(born(), settings.seed, numbers, history)
 

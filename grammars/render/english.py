@@ -49,6 +49,8 @@ def render(meaning: Meaning | Content, voice: Voice) -> str:
             return question(meaning, voice)
         case Revision():
             return talk.revision(meaning, voice)
+        case Control(told=told) if told is not None:
+            return f"forget that {render(told, voice)}"
         case Control():
             return talk.control(meaning, voice)
         case Feedback() | Identity() | Social():

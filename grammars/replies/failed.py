@@ -99,6 +99,9 @@ _SENTENCES: Final[dict[Reason, Callable[[Failed], str]]] = {
     "too_deep": lambda r: f"I can't {_act(r)} as that has too many steps within steps",
     "conflict": _conflict,
     "no_room": lambda r: "I have too much on my mind, please say that again later",
+    "not_yours": lambda r: (
+        f"only {proper(r.detail) + ' or ' if r.detail else ''}my owner may change that"
+    ),
     "not_stored": lambda r: f"I could not keep that{': ' + r.detail if r.detail else ''}",
     "crashed": lambda r: f"something in me broke while {_act(r, 'gerund')}",
 }

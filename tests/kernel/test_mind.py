@@ -9,7 +9,7 @@ import pytest
 from kernel.action.call import MoveGrip, MoveLift, Rotate, Speak, Travel
 from kernel.memory.exchange import Inputs
 from kernel.memory.lesson import Lesson
-from kernel.memory.meaning import Feedback, Social
+from kernel.memory.meaning import Control, Social
 from kernel.memory.reply import Failed, Greeted, Halted, NotYet
 from kernel.memory.settings import Settings
 from kernel.mind import Mind
