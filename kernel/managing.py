@@ -31,11 +31,21 @@ def undo(commons: Commons, focus: Focus) -> Run:
         return Verdict.SUCCEEDED
     for change in list(commons.policy.changes()):
         if not change.own and commons.policy.counts(change.ident):
-            taking = replace(focus.changing(), undone=(change.ident,))
+            taking = replace(focus.changing(), undone=_undoing(commons, change))
             if commons.policy.preview(taking) != Shift():
                 return (yield from _take_back(commons, focus, taking))
     commons.replies.append(NothingToDo("undo"))
     return Verdict.SUCCEEDED
+
+
+def _undoing(commons: Commons, change: Change) -> tuple[int, ...]:
+    """What to take back so that the change does not count: itself; where it takes back mere undos, what these took
+    back. So undoing to and fro makes no chain without end."""
+    known = {c.ident: c for c in commons.policy.changes()} if change.undone else {}
+    undos = [known[n] for n in change.undone if n in known]
+    if undos and not change.teaches and all(u.undone and not u.teaches for u in undos):
+        return tuple(n for u in undos for n in u.undone)
+    return (change.ident,)
 
 
 def undo_today(commons: Commons, focus: Focus) -> Run:

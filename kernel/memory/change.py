@@ -45,6 +45,11 @@ class Change:
     undone: tuple[int, ...] = ()
     own: bool = False
 
+    @property
+    def teaches(self) -> bool:
+        """It does more than taking other changes back."""
+        return bool(self.learned or self.retracted or self.adapted)
+
     def durable(self) -> Change | None:
         """What of it is to be stored; None where nothing is (told facts are of the session)."""
         kept = replace(
