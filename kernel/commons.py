@@ -12,12 +12,12 @@ from kernel.action.trace import Record, What
 from kernel.memory.attention import Failure, Focus
 from kernel.memory.change import SESSION, Change
 from kernel.memory.lesson import Lesson, Operator, Rule
-from kernel.memory.likeness import Shelf, shelf
 from kernel.memory.operators import Operators
 from kernel.memory.policy import Policy, Shift
 from kernel.memory.recent import Asked, Recent, Saying
 from kernel.memory.reply import LessonTaken, Reason, Reply
 from kernel.memory.settings import Settings
+from kernel.memory.shelves import Shelves
 from kernel.memory.working import TOLD_LIMIT, WorkingMemory
 from kernel.net.graphlet import Graphlet
 from kernel.net.node import Node
@@ -48,7 +48,7 @@ class Commons:
     persist: list[tuple[int, Change]] = field(default_factory=list)
     shift: Shift = field(default_factory=Shift)
     pending: dict[int, tuple[Focus, Change]] = field(default_factory=dict)
-    shelves: dict[Shelf, dict[int, Lesson]] = field(default_factory=dict)
+    shelves: Shelves = field(default_factory=Shelves)
     sayings: dict[int, Saying] = field(default_factory=dict)
     asked: Asked | None = None
     recent: Recent = field(default_factory=Recent)
@@ -167,7 +167,7 @@ class Commons:
             self.memory.rules.believe(lesson, self.policy.strength(lesson))
 
     def _enforce(self, lesson: Lesson) -> None:
-        self.shelves.setdefault(shelf(lesson.content), {})[lesson.ident] = lesson
+        self.shelves.add(lesson)
         if isinstance(lesson.content, Rule):
             self.memory.rules.add(lesson)
         elif isinstance(lesson.content, Operator):
@@ -184,10 +184,7 @@ class Commons:
         return carrying[0]
 
     def _retire(self, lesson: Lesson) -> None:
-        place = shelf(lesson.content)
-        self.shelves[place].pop(lesson.ident, None)
-        if not self.shelves[place]:
-            del self.shelves[place]
+        self.shelves.remove(lesson)
         if isinstance(lesson.content, Rule):
             self.memory.rules.remove(lesson)
         elif isinstance(lesson.content, Operator):

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Generator, Iterator
+from collections.abc import Generator
 from dataclasses import replace
 from typing import Final
 
@@ -10,7 +10,7 @@ from kernel.adapting import weigh
 from kernel.commons import Commons
 from kernel.memory.attention import Failure, Focus
 from kernel.memory.lesson import LEARN, Lesson, Operator
-from kernel.memory.likeness import alike, contradicts, covers, never_fires, shelf
+from kernel.memory.likeness import covers, never_fires
 from kernel.memory.recent import PATIENCE_S, Asked
 from kernel.memory.reply import AskKeep, Dropped, KnownAlready, Revised, Why
 from kernel.net.graphlet import Graphlet, Sketch
@@ -44,7 +44,7 @@ def learn(commons: Commons, focus: Focus) -> Learning:
         focus.failure = Failure("not_yours", None, veto.teacher)
         return False
     change = replace(focus.changing(), learned=(lesson,))
-    old = next((x for x in _shelf(commons, lesson) if alike(x.content, lesson.content)), None)
+    old = next(iter(commons.shelves.alike(lesson.content)), None)
     if old is not None:
         if old.strength == lesson.strength:
             commons.replies.append(KnownAlready(old))
@@ -98,19 +98,12 @@ def _lasts(fact: Graphlet, finds: tuple[Graphlet, ...]) -> bool:
     return main is not None and any(role == "ako" and to in named for role, to in main.links)
 
 
-def _shelf(commons: Commons, lesson: Lesson) -> Iterator[Lesson]:
-    """Lessons in force that it may be compared with, newest first."""
-    return reversed(list(commons.shelves.get(shelf(lesson.content), {}).values()))
-
-
 def _doubt(commons: Commons, lesson: Lesson) -> tuple[Why, Lesson | None] | None:
     """Why it should not be kept without asking, and because of which other lesson."""
     if (never := never_fires(lesson.content)) is not None:
         return never, None
-    for other in _shelf(commons, lesson):
-        if contradicts(lesson.content, other.content):
-            return "contradicts", other
-    return None
+    other = commons.shelves.contradicting(lesson.content)
+    return None if other is None else ("contradicts", other)
 
 
 def _not_theirs(commons: Commons, focus: Focus, lesson: Lesson) -> Lesson | None:

@@ -15,7 +15,7 @@ from kernel.commons import Commons
 from kernel.memory.attention import Failure, Focus
 from kernel.memory.change import Change
 from kernel.memory.lesson import INNATE, Lesson, Operator
-from kernel.memory.likeness import alike, covers, shelf
+from kernel.memory.likeness import covers
 from kernel.memory.meaning import Control, Fact, Meaning, Teach
 from kernel.memory.notation import canonical
 from kernel.memory.policy import Shift
@@ -129,8 +129,7 @@ def _ways(commons: Commons, act: Graphlet) -> list[Lesson]:
 def _told(commons: Commons, told: Teach | Fact) -> list[Lesson]:
     """Lessons in force that say the same, in whatever strength."""
     content = told.content if isinstance(told, Teach) else whole(told)
-    there = commons.shelves.get(shelf(content), {})
-    return [lesson for lesson in there.values() if alike(lesson.content, content)]
+    return commons.shelves.alike(content)
 
 
 def _last(commons: Commons) -> list[Lesson]:

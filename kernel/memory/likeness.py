@@ -16,7 +16,6 @@ from kernel.net.graphlet import Graphlet, Term
 from kernel.net.match import Binding, holds, matches
 from kernel.net.node import WORKING, Net, instantiate
 
-Shelf = tuple[str, frozenset[str]]
 C = TypeVar("C", bound=Content)
 OPPOSITES: Final = {
     frozenset(pair)
@@ -29,16 +28,6 @@ OPPOSITES: Final = {
         ("grab", "release"),
     )
 }
-
-
-def shelf(content: Content) -> Shelf:
-    """Lessons that are equal or contradict each other stand on one shelf: so that few have to be compared."""
-    match content:
-        case Rule(conclusion=conclusion):
-            return "rule", conclusion.words()
-        case Operator(trigger=trigger):
-            return "operator", trigger.graphlet.words() if trigger.graphlet else frozenset()
-    return "fact", content.words()
 
 
 def plain(content: C) -> C:
@@ -56,17 +45,7 @@ def plain(content: C) -> C:
 
 def alike(one: Content, other: Content) -> bool:
     """Equal but for strength: the same net, whatever sentence it came from."""
-    return type(one) is type(other) and shelf(one) == shelf(other) and plain(one) == plain(other)
-
-
-def strength(content: Content) -> float:
-    """As taught."""
-    match content:
-        case Operator(preference=preference):
-            return preference
-        case Rule(belief=belief):
-            return belief
-    return 1.0
+    return type(one) is type(other) and plain(one) == plain(other)
 
 
 def contradicts(one: Content, other: Content) -> bool:
@@ -87,7 +66,7 @@ def contradicts(one: Content, other: Content) -> bool:
 
 def _opposed(narrow: Rule, wide: Rule) -> bool:
     """Where the condition of `narrow` holds `wide` concludes the opposite."""
-    if wide.unless:
+    if wide.unless or _denies(wide.conclusion) == _denies(narrow.conclusion):
         return False
     net, bound = _drawn([narrow.condition, narrow.conclusion])
     conditions = {t.name for t in narrow.condition.terms}
@@ -104,6 +83,10 @@ def _opposed(narrow: Rule, wide: Rule) -> bool:
             if opposite[wide.conclusion.main] is bound[narrow.conclusion.main]:
                 return True
     return False
+
+
+def _denies(conclusion: Graphlet) -> bool:
+    return any(term.negated for term in conclusion if term.name == conclusion.main)
 
 
 def _forbidden_and_permitted(one: Operator, other: Operator) -> bool:
@@ -193,10 +176,10 @@ def covering(
     pattern: Graphlet, drawn: Iterable[Graphlet], main: Graphlet | None = None
 ) -> dict[str, str]:
     """Which name of the graphlets each name of the pattern is; empty where the pattern is not in them."""
-    net, bound = _drawn(drawn)
-    start: Binding = {} if main is None else {pattern.main: bound[main.main]}
     if main is not None and not _same_words(pattern, main):
         return {}
+    net, bound = _drawn(drawn)
+    start: Binding = {} if main is None else {pattern.main: bound[main.main]}
     names = {node: name for name, node in bound.items()}
     found = next(matches(pattern, net, WORKING, start, 0.0), None)
     return {} if found is None else {name: names[node] for name, node in found.items()}

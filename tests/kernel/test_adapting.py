@@ -1,11 +1,9 @@
 """Strengths that experience and feedback move, and how often a robot chooses what."""
 
-from typing import Any
-
 import pytest
 
 from kernel.action.call import MoveGrip, Travel
-from kernel.memory.choice import SPECIFICITY_BASE, choice_weights
+from kernel.memory.choice import choice_weights
 from kernel.memory.lesson import Lesson
 from kernel.memory.meaning import Control, Feedback
 from kernel.memory.reply import FeedbackTaken, TakenBack
@@ -208,39 +206,28 @@ def test_a_belief_that_moved_is_what_the_rule_concludes_with(robot: Robot) -> No
 
 # -- measured choice -----------------------------------------------------------------------
 
-CRITICAL: Any = {1: 10.83, 2: 13.82, 3: 16.27}  # chi-square, p = 0.001, by degrees of freedom
 
-
-@pytest.mark.parametrize("sharpness", [0.0, 1.0, 3.0])
-def test_the_frequencies_of_choice_are_those_of_the_weights(sharpness: float) -> None:
+def test_the_frequencies_of_choice_are_those_of_the_weights() -> None:
     """Chi-square over 2,000 choices with a fixed seed: three equally specific ways and a less specific one."""
-    robot = Robot(seed=5, settings=Settings(sharpness=sharpness, recovery_step=0.0))
-    named = {"more": "-dest-> obj-9; ", "terms": ""}
-    del named
+    robot = Robot(seed=5)
     ways = [("a", 1.2, 2), ("b", 1.0, 2), ("c", 0.6, 2), ("d", 1.5, 1)]
     for word, pref, terms in ways:
         trigger = "act-1 -lex- greet; -obj-> obj-2" + ("; obj-2 -lex- mary" if terms == 2 else "")
         robot.teach(f"trig: DO[ {trigger} ]; pref: {pref}; ---; {SAY.format(word)}")
-    counts = dict.fromkeys("abcd", 0)
     for _ in range(2000):
         robot.command(GREET_MARY)
-        before = len(robot.said)
-        while len(robot.said) == before:
-            robot.tick(1.0)
-        counts[robot.said[-1]] += 1
+        robot.tick(1.0)
         robot.tick(1.0)
         robot.trace.clear()
-    weights = choice_weights(
-        [pref for _, pref, _ in ways],
-        [terms for *_, terms in ways],
-        sharpness,
-        SPECIFICITY_BASE,
+    raw = [pref * 10.0 ** (terms - 2) for _, pref, terms in ways]
+    assert choice_weights([p for _, p, _ in ways], [t for *_, t in ways]) == pytest.approx(
+        [r / sum(raw) for r in raw]
     )
-    raw = [pref**sharpness * 10.0 ** (terms - 2) for _, pref, terms in ways]
-    assert weights == pytest.approx([r / sum(raw) for r in raw])
-    expected = [2000 * weight for weight in weights]
-    seen = [counts[word] for word, *_ in ways]
-    assert sum((s - e) ** 2 / e for s, e in zip(seen, expected, strict=True)) < CRITICAL[3]
+    expected = [2000 * r / sum(raw) for r in raw]
+    seen = [robot.said.count(word) for word, *_ in ways]
+    assert sum(seen) == 2000
+    chi_square = sum((s - e) ** 2 / e for s, e in zip(seen, expected, strict=True))
+    assert chi_square < 16.27, "3 degrees of freedom, p = 0.001"
 
 
 def test_must_always_is_said_more_often_than_could() -> None:

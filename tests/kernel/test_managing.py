@@ -22,7 +22,10 @@ LEFT = "DO[ act-3 -lex- turn; dir-4 -lex- left; -dir-> act-3 ]"
 RIGHT = "DO[ act-3 -lex- turn; dir-4 -lex- right; -dir-> act-3 ]"
 FORWARD = "DO[ act-3 -lex- drive; dir-4 -lex- forward; -dir-> act-3 ]"
 TO_WIGGLE = f"trig: DO[ act-1 -lex- wiggle ]; pref: 1.0; ---; {LEFT}"
-TO_WIGGLE_FAST = "trig: DO[ act-1 -lex- wiggle; mod-2 -lex- quickly; -mod-> act-1 ]; pref: 1.0; ---; DO[ act-3 -lex- grab ]"
+TO_WIGGLE_FAST = (
+    "trig: DO[ act-1 -lex- wiggle; mod-2 -lex- quickly; -mod-> act-1 ]; pref: 1.0; ---;"
+    "DO[ act-3 -lex- grab ]"
+)
 WIGGLE = "DO[ act-1 -lex- wiggle ]"
 GIRL = "ako-1 -lex- girl; -ako-> obj-2"
 MARY = "obj-2 -lex- mary"
@@ -313,9 +316,8 @@ def test_after_a_command_the_correction_is_done_instead_of_what_is_still_going_o
 
 
 def test_right_after_a_lesson_its_last_step_is_another_one(robot: Robot) -> None:
-    robot.teach(
-        f"trig: DO[ act-1 -lex- wiggle ]; pref: 1.0; ---; {FORWARD}; {LEFT.replace('act-3', 'act-7').replace('dir-4', 'dir-8')}"
-    )
+    then_left = LEFT.replace("act-3", "act-7").replace("dir-4", "dir-8")
+    robot.teach(TO_WIGGLE.replace(LEFT, f"{FORWARD}; {then_left}"))
     assert revise(robot, "DO[ act-1 -lex- raise ]") == []
     assert (
         robot.do(WIGGLE) == [Travel(0.2, 1.0), MoveLift(pytest.approx(0.34, abs=0.2))]
