@@ -86,6 +86,9 @@ def _fact(commons: Commons, focus: Focus, lesson: Lesson) -> Learning:
     if not _lasts(fact, saying.fact.finds):
         lesson = replace(lesson, ident=commons.session_number())
         commons.note(lesson.ident, saying)
+    elif known := commons.shelves.alike(lesson.content):
+        commons.facts[known[0].ident] = focus.told[0]  # in force, though memory had lost it
+        return True
     change = replace(focus.changing(), learned=(lesson,), retracted=retracted)
     return (yield from commons.commit(focus, change))
 

@@ -174,6 +174,22 @@ def test_facts_of_a_session_are_bounded_and_what_is_lost_is_lost_whole(
     assert robot.believes("hq-1 -lex- q59", depth=3)
 
 
+def test_a_lasting_fact_that_memory_had_lost_is_stored_once(
+    robot: Robot, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("kernel.memory.working.TOLD_LIMIT", 5)
+    robot.tell(GIRL, MARY)
+    for number in range(10):
+        robot.tell(f"hq-1 -lex- q{number}; -hq-> obj-2", "obj-2 -lex- john")
+    assert not robot.believes(f"{GIRL}; {MARY}", depth=3)
+    robot.tell(GIRL, MARY)
+    assert robot.believes(f"{GIRL}; {MARY}", depth=3)
+    assert len(robot.mind.policy) == 1
+    robot.hear(Control("forget", told=Fact(net(GIRL), (net(MARY),))))
+    robot.settle()
+    assert not robot.believes(f"{GIRL}; {MARY}", depth=3)
+
+
 # -- teaching may be forbidden -------------------------------------------------------------
 
 BY_RICK = (
