@@ -15,7 +15,7 @@ from kernel.action.step import Run
 from kernel.action.verdict import Verdict
 from kernel.commons import Commons
 from kernel.memory.attention import Focus
-from kernel.memory.change import SESSION, Adapted, Change
+from kernel.memory.change import LEAST, MOST, SESSION, Adapted, Change
 from kernel.memory.lesson import INNATE, Lesson, Operator, Rule
 from kernel.memory.meaning import Command, Fact, Revision
 from kernel.memory.reply import FeedbackTaken
@@ -23,8 +23,6 @@ from kernel.net.graphlet import Graphlet
 from kernel.net.match import Binding, matches
 from kernel.net.node import BAND_2
 
-LEAST: Final = 0.1
-MOST: Final = 1.5
 SUREST: Final = 1.0
 ADAPTING: Final = ("NOTE", "DO", "FIND", "CHK", "ACH")
 

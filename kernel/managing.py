@@ -13,7 +13,7 @@ from kernel.action.step import Run
 from kernel.action.verdict import Verdict
 from kernel.commons import Commons
 from kernel.memory.attention import Failure, Focus
-from kernel.memory.change import Change
+from kernel.memory.change import LEAST, Adapted, Change
 from kernel.memory.lesson import INNATE, Lesson, Operator
 from kernel.memory.likeness import covers
 from kernel.memory.meaning import Control, Fact, Meaning, Teach
@@ -32,7 +32,7 @@ def undo(commons: Commons, focus: Focus) -> Run:
     for change in list(commons.policy.changes()):
         if not change.own and commons.policy.counts(change.ident):
             taking = replace(focus.changing(), undone=_undoing(commons, change))
-            if commons.policy.preview(taking) != Shift():
+            if change.adapted or commons.policy.preview(taking) != Shift():
                 return (yield from _take_back(commons, focus, taking))
     commons.replies.append(NothingToDo("undo"))
     return Verdict.SUCCEEDED
@@ -61,6 +61,7 @@ def _day(at_s: float) -> date:
 
 
 def _take_back(commons: Commons, focus: Focus, change: Change) -> Run:
+    change = replace(change, adapted=_amends(commons, change))
     shift = commons.policy.preview(change)
     if shift == Shift():
         commons.replies.append(NothingToDo("undo"))
@@ -69,6 +70,24 @@ def _take_back(commons: Commons, focus: Focus, change: Change) -> Run:
         return Verdict.FAILED
     commons.replies.append(TakenBack(shift.left, shift.entered, shift.moved))
     return Verdict.SUCCEEDED
+
+
+def _amends(commons: Commons, change: Change) -> tuple[Adapted, ...]:
+    """Moves that make up for praise and blame being taken back where the robot has moved the strength since; none of
+    them leads above what was taught."""
+    policy = commons.policy
+    moved = {lesson.ident for lesson in policy.preview(change).moved}
+    shift: dict[int, float] = {}
+    for earlier in policy.changes():
+        if earlier.ident in change.undone and policy.counts(earlier.ident):
+            for move in earlier.adapted:
+                if move.lesson in commons.lessons and move.lesson not in moved:
+                    shift[move.lesson] = shift.get(move.lesson, 0.0) + move.before - move.after
+    amends = []
+    for ident, by in shift.items():
+        now, taught = policy.strength(commons.lessons[ident]), commons.lessons[ident].strength
+        amends.append(Adapted(ident, now, max(LEAST, min(max(now, taught), now + by))))
+    return tuple(amends)
 
 
 def changed(

@@ -10,6 +10,8 @@ from kernel.memory.lesson import Lesson
 SESSION: Final = (
     10**12
 )  # numbers from here on are of this session alone: nothing of theirs is stored
+LEAST: Final = 0.1  # mind.md: bounds of an adapted preference
+MOST: Final = 1.5
 
 
 @dataclass(frozen=True, slots=True)

@@ -5,10 +5,10 @@ import pytest
 from kernel.action.call import MoveGrip, Travel
 from kernel.memory.choice import choice_weights
 from kernel.memory.lesson import Lesson
-from kernel.memory.meaning import Control, Feedback
+from kernel.memory.meaning import Control, Feedback, Revision
 from kernel.memory.reply import FeedbackTaken, TakenBack
 from kernel.memory.settings import Settings
-from tests.kernel.conftest import Robot
+from tests.kernel.conftest import Robot, chain
 
 SAY = "DO[ act-5 -lex- say; -obj-> txt-6; txt-6 -str- {} ]"
 GREET = "trig: DO[ act-1 -lex- greet; {more}-obj-> obj-2{terms} ]; pref: {pref}; ---; " + SAY
@@ -70,6 +70,16 @@ def test_success_brings_a_lowered_preference_back_to_what_was_taught_and_no_furt
         robot.do(DANCE)
         seen.append(strength(robot, dance))
     assert seen == pytest.approx([0.65, 0.7, 0.75, 0.8, 0.8, 0.8])
+
+
+def test_the_last_step_back_is_no_longer_than_it_has_to_be() -> None:
+    robot = Robot(settings=Settings(recovery_step=0.15))
+    dance = robot.teach(to_dance(FORWARD))
+    robot.do(DANCE)
+    feedback(robot, good=False)
+    robot.do(DANCE)
+    robot.do(DANCE)
+    assert strength(robot, dance) == 1.0
 
 
 @pytest.mark.parametrize(
@@ -147,7 +157,31 @@ def test_nothing_done_nothing_praised(robot: Robot) -> None:
     assert feedback(robot, good=True) == FeedbackTaken(True)
 
 
-def test_blame_can_be_undone_while_the_robots_own_adaptations_are_passed_over() -> None:
+def test_undo_passes_over_the_robots_own_adaptations(robot: Robot) -> None:
+    """What they have moved since stays moved."""
+    hello = robot.teach(to_dance(SAY.format("hello")))
+    robot.do(DANCE)
+    feedback(robot, good=False)
+    robot.do(DANCE)
+    assert strength(robot, hello) == pytest.approx(0.85)
+    for expected in (1.0, 0.85, 1.0):
+        robot.hear(Control("undo"))
+        robot.settle()
+        assert robot.replies[-1] == TakenBack(moved=(hello,))
+        assert strength(robot, hello) == pytest.approx(expected)
+    assert robot.mind.policy == (hello,)
+
+
+def test_doing_something_else_instead_blames_what_was_done(robot: Robot) -> None:
+    dance = robot.teach(to_dance(FORWARD))
+    robot.do(DANCE)
+    robot.hear(Revision(chain("DO[ act-1 -lex- release ]")), "no, release instead")
+    robot.settle()
+    assert isinstance(robot.moved[-1], MoveGrip)
+    assert strength(robot, dance) == pytest.approx(0.8)
+
+
+def test_blame_can_be_undone() -> None:
     robot = Robot(settings=Settings(recovery_step=0.0))
     dance = robot.teach(to_dance(FORWARD))
     robot.do(DANCE)

@@ -9,6 +9,7 @@ from kernel.memory.lesson import Operator, Rule
 from kernel.memory.meaning import (
     Command,
     Control,
+    Fact,
     Feedback,
     Heard,
     Identity,
