@@ -299,9 +299,10 @@ def test_of_a_veto_and_a_permission_by_name_the_newer_wins(robot: Robot) -> None
 
 
 def test_a_permission_that_names_nobody_lifts_no_veto_about_a_speaker(robot: Robot) -> None:
+    """ "If a tall person tells you to" fits Rick, and does not name him."""
     robot.teach(NO_ORDERS)
-    somebody = RICK_MAY.replace("obj-6 -lex- rick", "hq-8 -hq-> obj-6; hq-9 -hq-> obj-6")
-    robot.teach(somebody)
+    robot.tell("hq-1 -lex- tall; -hq-> obj-2", "obj-2 -lex- rick")
+    robot.teach(RICK_MAY.replace("obj-6 -lex- rick", "hq-8 -lex- tall; -hq-> obj-6"))
     assert robot.do(FORWARD, "rick") == []
 
 
