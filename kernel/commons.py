@@ -190,4 +190,8 @@ class Commons:
         elif isinstance(lesson.content, Operator):
             self.operators.remove(lesson)
         else:
-            self.memory.retract(self.facts.pop(lesson.ident))
+            node, saying = self.facts.pop(lesson.ident), self.sayings.get(lesson.ident)
+            if saying is not None and node in saying.about.values():
+                self.memory.told.pop(node, None)  # a name given to a thing: the thing itself stays
+            else:
+                self.memory.retract(node)

@@ -26,6 +26,7 @@ from kernel.net.graphlet import Graphlet
 def undo(commons: Commons, focus: Focus) -> Run:
     """Take back the newest change that counts and is a person's; an undo is one too, so "undo that" twice changes
     nothing. A motion cannot be undone."""
+    yield from settled(commons)
     if commons.recent.thing == "motion":
         commons.replies.append(NothingToDo("motion"))
         return Verdict.SUCCEEDED
@@ -36,6 +37,13 @@ def undo(commons: Commons, focus: Focus) -> Run:
                 return (yield from _take_back(commons, focus, taking))
     commons.replies.append(NothingToDo("undo"))
     return Verdict.SUCCEEDED
+
+
+def settled(commons: Commons) -> Generator[None, None, None]:
+    """Wait for what was said just before: until it has been thought about, and the store has answered."""
+    yield
+    while commons.pending:
+        yield
 
 
 def _undoing(commons: Commons, change: Change) -> tuple[int, ...]:
@@ -50,6 +58,7 @@ def _undoing(commons: Commons, change: Change) -> tuple[int, ...]:
 
 def undo_today(commons: Commons, focus: Focus) -> Run:
     """Back to what was in force when the day began; days are those of the robot's place."""
+    yield from settled(commons)
     change = focus.changing()
     today = _day(change.at_s)
     undone = [c.ident for c in commons.policy.changes() if not c.own and _day(c.at_s) == today]
@@ -66,6 +75,8 @@ def _take_back(commons: Commons, focus: Focus, change: Change) -> Run:
     if shift == Shift():
         commons.replies.append(NothingToDo("undo"))
         return Verdict.SUCCEEDED
+    chunks = with_chunks(commons, shift.left)[len(shift.left) :]
+    change = replace(change, retracted=tuple(chunk.ident for chunk in chunks))
     if not (yield from changed(commons, focus, change, shift.left)):
         return Verdict.FAILED
     commons.replies.append(TakenBack(shift.left, shift.entered, shift.moved))
@@ -106,6 +117,7 @@ def forget(commons: Commons, focus: Focus, control: Control) -> Run:
 
     What the robot made of them by itself goes with them. The body's own skills cannot be forgotten.
     """
+    yield from settled(commons)
     about = control.about
     if control.told is not None:
         found = _told(commons, control.told)

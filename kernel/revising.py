@@ -37,6 +37,8 @@ def revise(commons: Commons, focus: Focus, revision: Revision) -> Run:
     """Change the lesson or do the other thing; where there is nothing to correct, say so."""
     if all(d.tag == "FIND" for d in revision.chain.directives()):
         return (yield from _other_thing(commons, focus, revision))
+    while commons.pending:  # what is corrected may just have been taught
+        yield
     edited = _edited(commons, revision)
     if edited is not None:
         return (yield from _edit(commons, focus, *edited))

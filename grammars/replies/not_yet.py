@@ -8,12 +8,7 @@ from grammars.replies import Said, both, renders
 from kernel.memory.reply import NotYet
 
 _BEYOND: Final = {
-    "feedback": "learn from praise and blame",
-    "revision": "change what I was taught",
-    "undo": "take a lesson back",
-    "forget": "forget a lesson",
     "resume": "go on with what was interrupted",
-    "repeat": "repeat that",
     "learned": "list what I learned",
     "cancel": "drop a request",
 }
@@ -21,6 +16,6 @@ _BEYOND: Final = {
 
 @renders(NotYet)
 def not_yet(reply: NotYet) -> Said:
-    """ "I understood, but I can't take a lesson back yet." """
+    """ "I understood, but I can't drop a request yet." """
     asked = "answer that" if "question" in reply.what else "do that"
     return both(f"I understood, but I can't {_BEYOND.get(reply.what, asked)} yet")

@@ -5,7 +5,9 @@ from typing import Any
 import pytest
 
 from kernel.action.call import MoveGrip, MoveLift, Rotate, Travel
-from kernel.memory.lesson import Operator
+from kernel.memory.attention import Focus
+from kernel.memory.change import Change
+from kernel.memory.lesson import Lesson, Operator
 from kernel.memory.meaning import Control, Fact, Heard, Revision, Teach, Utterance
 from kernel.memory.notation import read
 from kernel.memory.reply import (
@@ -136,6 +138,40 @@ def test_undo_takes_back_the_newest_change_and_undo_again_brings_it_back(robot: 
     for _ in range(3):
         assert control(robot, "undo") == TakenBack(entered=(wiggle,))
         assert control(robot, "undo") == TakenBack(left=(wiggle,))
+
+
+def test_what_the_robot_made_of_a_lesson_is_undone_with_it_and_comes_back_with_it(
+    robot: Robot,
+) -> None:
+    taught = robot.teach(TO_WIGGLE)
+    chunk = read(notation(TO_WIGGLE.replace("wiggle", "dance")))
+    assert isinstance(chunk, Operator)
+    commons = robot.mind._commons
+    made = Lesson(0, "procedure", chunk, origins=(taught.ident,))
+    commons.keep(Focus(99), Change(own=True, learned=(made,)))
+    robot.settle()
+    assert len(robot.mind.policy) == 2
+    control(robot, "undo")
+    assert robot.mind.policy == ()
+    control(robot, "undo")
+    assert len(robot.mind.policy) == 2
+
+
+def test_undo_waits_for_what_was_said_just_before(robot: Robot) -> None:
+    content = read(notation(TO_WIGGLE))
+    assert isinstance(content, Operator)
+    robot.hear(Teach("procedure", content), "to wiggle")
+    robot.hear(Control("undo"), "undo that")
+    robot.settle()
+    assert robot.mind.policy == ()
+    assert isinstance(robot.replies[-1], TakenBack)
+
+
+def test_taking_back_a_name_leaves_the_thing(robot: Robot) -> None:
+    robot.tell(HEAVY, BLOCK)
+    robot.tell("obj-2 -lex- pookie", BLOCK)
+    control(robot, "undo")
+    assert robot.believes(HEAVY_BLOCK, depth=3)
 
 
 def test_facts_and_lessons_are_undone_in_the_order_of_time(robot: Robot) -> None:
