@@ -12,7 +12,7 @@ from kernel.memory.attention import Failure, Focus
 from kernel.memory.lesson import LEARN, Lesson, Operator
 from kernel.memory.likeness import covers, never_fires
 from kernel.memory.recent import PATIENCE_S, Asked
-from kernel.memory.reply import AskKeep, Dropped, KnownAlready, Revised, Why
+from kernel.memory.reply import AskKeep, KnownAlready, LessonDropped, Revised, Why
 from kernel.net.graphlet import Graphlet, Sketch
 from kernel.net.match import matches
 from kernel.net.node import REMEMBERED
@@ -53,7 +53,7 @@ def learn(commons: Commons, focus: Focus) -> Learning:
     elif (doubt := _doubt(commons, lesson)) is not None:
         answer = yield from _answer(commons, focus, Asked(lesson, *doubt, _until_s(commons)))
         if answer == "cancel":
-            commons.replies.append(Dropped(lesson))
+            commons.replies.append(LessonDropped(lesson))
             return True
         other = doubt[1]
         if answer == "replace" and other is not None:

@@ -127,7 +127,7 @@ class KnownAlready:
 
 
 @dataclass(frozen=True, slots=True)
-class Dropped:
+class LessonDropped:
     """The lesson asked about was not kept."""
 
     lesson: Lesson
@@ -188,7 +188,7 @@ Reply = (
     | NotYet
     | AskKeep
     | KnownAlready
-    | Dropped
+    | LessonDropped
     | Revised
     | Forgotten
     | TakenBack

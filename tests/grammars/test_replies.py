@@ -16,7 +16,6 @@ from kernel.memory.notation import read
 from kernel.memory.reply import (
     Answer,
     AskKeep,
-    Dropped,
     FactTaken,
     Failed,
     FeedbackTaken,
@@ -24,6 +23,7 @@ from kernel.memory.reply import (
     Greeted,
     Halted,
     KnownAlready,
+    LessonDropped,
     LessonTaken,
     Met,
     NothingToDo,
@@ -180,7 +180,7 @@ GIRLS = Rule(
                     KnownAlready(Lesson(1, "rule", PEOPLE, "", "mary")),
                     "I know that already from Mary.",
                 ),
-                (Dropped(Lesson(1, "rule", PEOPLE)), "Okay, I will not keep that."),
+                (LessonDropped(Lesson(1, "rule", PEOPLE)), "Okay, I will not keep that."),
                 (
                     Revised(Lesson(1, "rule", PEOPLE)),
                     "Okay. If something is a girl, it is a person.",

@@ -22,10 +22,10 @@ from kernel.memory.notation import read
 from kernel.memory.reply import (
     Answer,
     AskKeep,
-    Dropped,
     FactTaken,
     FeedbackTaken,
     KnownAlready,
+    LessonDropped,
     LessonTaken,
     NothingToDo,
     Refused,
@@ -106,7 +106,7 @@ def test_a_contradiction_is_asked_about_and_nothing_is_stored_meanwhile(robot: R
     [
         ("keep", [False, True], LessonTaken),
         ("replace", [True], Revised),
-        ("cancel", [False], Dropped),
+        ("cancel", [False], LessonDropped),
     ],
 )
 def test_each_answer(robot: Robot, act: str, kept: list[bool], replied: type) -> None:
@@ -147,7 +147,7 @@ def test_what_can_never_come_to_anything_is_asked_about(robot: Robot) -> None:
     (asked,) = say(robot, RECURSIVE)
     assert isinstance(asked, AskKeep)
     assert (asked.why, asked.other) == ("only_itself", None)
-    assert [type(r) for r in answer(robot, "cancel")] == [Dropped]
+    assert [type(r) for r in answer(robot, "cancel")] == [LessonDropped]
     assert robot.mind.policy == ()
 
 
