@@ -61,6 +61,12 @@ class MindPart(Part, frozen=True, forbid_unknown_fields=True):
     sharpness: Annotated[float, msgspec.Meta(ge=0.0, le=100.0)] = 1.0
     fade_s: Annotated[float, msgspec.Meta(gt=0.0, le=3600.0)] = 30.0
     depth: Annotated[int, msgspec.Meta(ge=1, le=40)] = 20
+    owner: str = ""
+    praise_step: Fraction = 0.1
+    blame_step: Fraction = 0.2
+    failure_step: Fraction = 0.1
+    recovery_step: Fraction = 0.05
+    belief_step: Fraction = 0.1
 
 
 class Paths(Part, frozen=True, forbid_unknown_fields=True):

@@ -54,6 +54,12 @@ def make_mind(settings: MindPart, history: tuple[Change, ...], utc_offset_s: flo
         fade_s=settings.fade_s,
         depth=settings.depth,
         utc_offset_s=utc_offset_s,
+        owner=settings.owner,
+        praise_step=settings.praise_step,
+        blame_step=settings.blame_step,
+        failure_step=settings.failure_step,
+        recovery_step=settings.recovery_step,
+        belief_step=settings.belief_step,
     )
     return Mind(born(), settings.seed, numbers, history)
 

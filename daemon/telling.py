@@ -14,22 +14,43 @@ from kernel.action.trace import Record
 from kernel.memory.policy import Shift
 from kernel.memory.reply import (
     Answer,
+    AskKeep,
     AskWhich,
     Dropped,
     FactTaken,
     Failed,
+    FeedbackTaken,
+    Forgotten,
     Greeted,
     Halted,
+    KnownAlready,
+    LessonDropped,
     LessonTaken,
     Met,
-    NotYet,
+    NothingToDo,
     Refused,
     Reply,
     Resumed,
+    Revised,
+    TakenBack,
 )
 
-ACKNOWLEDGES: Final = (LessonTaken, FactTaken, Met, Greeted, Halted, Dropped, Resumed)
-GOES_WRONG: Final = (Refused, Failed, NotYet)
+ACKNOWLEDGES: Final = (
+    LessonTaken,
+    FactTaken,
+    Met,
+    Greeted,
+    Halted,
+    Dropped,
+    Resumed,
+    KnownAlready,
+    LessonDropped,
+    Revised,
+    Forgotten,
+    TakenBack,
+    FeedbackTaken,
+)
+GOES_WRONG: Final = (Refused, Failed, NothingToDo)
 
 
 def from_record(record: Record, now_s: float) -> events.Event:
@@ -94,8 +115,11 @@ def from_shift(shift: Shift, now_s: float) -> Iterator[events.Event]:
 
 
 def from_reply(reply: Reply, said: Said, now_s: float) -> Iterator[events.Event]:
-    """The events of one reply: an acknowledgement where something was taken, and always the reply itself."""
-    if isinstance(reply, ACKNOWLEDGES):
+    """The events of one reply: an acknowledgement where something was taken, a question where one was put, and always
+    the reply itself."""
+    if isinstance(reply, AskKeep):
+        yield events.Question(t=now_s, text=said.shown)
+    if isinstance(reply, ACKNOWLEDGES) and not _in_vain(reply):
         yield events.Acknowledged(t=now_s, text=said.shown)
     if isinstance(reply, AskWhich):
         yield events.Question(t=now_s, text=said.shown)
@@ -104,7 +128,7 @@ def from_reply(reply: Reply, said: Said, now_s: float) -> Iterator[events.Event]
         kind=type(reply).__name__,
         shown=said.shown,
         spoken=said.spoken,
-        ok=not isinstance(reply, GOES_WRONG) and not _unanswered(reply),
+        ok=not isinstance(reply, GOES_WRONG) and not _unanswered(reply) and not _in_vain(reply),
     )
 
 
@@ -124,6 +148,11 @@ def pose(now_s: float, state: BodyState) -> events.Pose:
 
 def _unanswered(reply: Reply) -> bool:
     return isinstance(reply, Answer) and reply.verdict == "unknown"
+
+
+def _in_vain(reply: Reply) -> bool:
+    """There was nothing to forget."""
+    return isinstance(reply, Forgotten) and not reply.lessons
 
 
 def _number(value: object) -> int:

@@ -11,6 +11,7 @@ from kernel.action.chain import Chain, Directive, sequence
 from kernel.commons import Commons
 from kernel.imagining import Imagined, Thinker, imagine
 from kernel.memory.attention import Focus
+from kernel.memory.change import SESSION
 from kernel.memory.experience import Deed
 from kernel.memory.explanation import Asked, Lessons
 from kernel.memory.lesson import Lesson, Operator
@@ -88,7 +89,7 @@ class Asking:
     @property
     def lessons(self) -> list[Lesson]:
         """Lessons in force that were taught, oldest first: the one place that looks them up."""
-        taught = [lesson for lesson in self.commons.lessons.values() if lesson.ident > 0]
+        taught = [x for x in self.commons.lessons.values() if 0 < x.ident < SESSION]
         return sorted(taught, key=lambda lesson: lesson.ident)
 
     @contextmanager

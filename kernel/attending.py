@@ -9,12 +9,14 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import Protocol
 
+from kernel import adapting, managing, revising
 from kernel.action.chain import Directive
 from kernel.action.step import DIRECTIVES, Run
 from kernel.action.verdict import Verdict
 from kernel.asking import Asking, answer
 from kernel.commons import Commons
 from kernel.imagining import Thinker
+from kernel.learning import LEARNING
 from kernel.memory.attention import Focus
 from kernel.memory.lesson import Content, Lesson, LessonKind
 from kernel.memory.meaning import (
@@ -29,17 +31,14 @@ from kernel.memory.meaning import (
     Revision,
     Social,
     Teach,
-    Utterance,
 )
-from kernel.memory.notation import canonical
-from kernel.memory.reply import FactTaken, Greeted, Met, NotYet
+from kernel.memory.recent import Saying
+from kernel.memory.reply import FactTaken, Greeted, Met, NothingToDo
 from kernel.memory.wondering import is_thing
 from kernel.net.graphlet import Graphlet
 from kernel.net.match import Binding
 from kernel.net.node import Node
 from kernel.remembering import source
-from kernel.reporting import commanded
-from kernel.retracting import retract
 from kernel.running import Frame
 from kernel.steering import Steered, drop_newest, go_on, stop_doing
 from kernel.stepping import RunningStep
@@ -54,18 +53,26 @@ def attend(mind: Listener, commons: Commons, focus: Focus) -> Run:
     heard = focus.heard
     if heard is None:
         return Verdict.SUCCEEDED
-    if heard.utterance.speaker:
+    if heard.utterance.speaker or heard.utterance.candidates:
         mind.speaker = heard.utterance.speaker.lower()
     commons.experience.clock(heard.utterance.at_s, commons.tick.now_s)
     memory = commons.memory
     memory.person_speaking(mind.speaker)
+    focus.by = mind.speaker
     words = ("ask",) if isinstance(heard.meaning, Question) else ("tell", "ask")
     focus.speech_act = memory.net.new("input", *words, agt=memory.user, dest=memory.me)
     focus.nodes[focus.speech_act] = None
+    for name in heard.utterance.candidates:
+        memory.net.link(focus.speech_act, "agt", memory.person(name.lower()))
+    answered = managing.answered(commons, heard.meaning)
+    if not answered:
+        commons.asked = None  # whatever else is said closes the question
     if isinstance(heard.meaning, Command):
         _quote(commons, focus, heard.meaning)
     memory.changed()
     yield from noted(commons, focus, (focus.speech_act,))
+    if answered:
+        return Verdict.SUCCEEDED
     return (yield from _content(mind, commons, focus, heard))
 
 
@@ -117,13 +124,13 @@ def noted(commons: Commons, focus: Focus, nodes: tuple[Node, ...]) -> Run:
 def _content(mind: Listener, commons: Commons, focus: Focus, heard: Heard) -> Run:
     frame = Frame(commons, focus, {})
     match heard.meaning:
-        case Command(chain):
-            return (yield from commanded(frame, chain))
+        case Command() as command:
+            return (yield from revising.obey(commons, focus, command))
         case Fact(fact, finds):
-            return (yield from _fact(mind, commons, focus, fact, finds))
+            return (yield from _fact(commons, focus, fact, finds))
         case Teach(kind, content):
-            focus.lesson = _lesson(mind, focus, kind, content)
-            return (yield from frame.directive(Directive("ADD")))
+            focus.lesson = _lesson(focus, kind, content)
+            return (yield from frame.directive(Directive("ADD", LEARNING)))
         case Question() as question:
             asking = Asking(commons, focus, mind, question)
             if asking.about_doing:
@@ -141,25 +148,37 @@ def _content(mind: Listener, commons: Commons, focus: Focus, heard: Heard) -> Ru
             commons.replies.append(Met(name))
         case Social() as social:
             commons.replies.append(Greeted(social, mind.speaker))
-        case Feedback(stop=stop):
-            if not stop:
-                commons.replies.append(NotYet("feedback"))
-        case Control("forget", lessons=numbers) if numbers:
-            return (yield from retract(commons, focus, mind.speaker, numbers))
-        case Control("learned"):
+        case Feedback(good):
+            return (yield from adapting.feedback(commons, focus, good=good))
+        case Control() as control:
+            return (yield from _control(mind, commons, focus, control))
+        case Revision() as revision:
+            return (yield from revising.revise(commons, focus, revision))
+    return Verdict.SUCCEEDED
+
+
+def _control(mind: Listener, commons: Commons, focus: Focus, control: Control) -> Run:
+    match control.act:
+        case "undo":
+            return (yield from managing.undo(commons, focus))
+        case "undo_today":
+            return (yield from managing.undo_today(commons, focus))
+        case "forget":
+            return (yield from managing.forget(commons, focus, control))
+        case "repeat":
+            return (yield from revising.repeat(commons, focus))
+        case "keep" | "replace":
+            commons.replies.append(NothingToDo("answer"))
+        case "learned":
             day = Question("what", Graphlet((), "act-1"), topic="learned")
             commons.replies.append(answer(Asking(commons, focus, mind, day)))
-        case Control("stop", about) if about is not None:
-            stop_doing(commons, focus, about)
-        case Control("cancel"):
+        case "cancel":
             drop_newest(mind, commons, focus)
-        case Control("resume"):
+        case "resume":
             return (yield from go_on(commons, focus))
-        case Control(act):
-            if act != "stop":
-                commons.replies.append(NotYet(act))
-        case Revision():
-            commons.replies.append(NotYet("revision"))
+        case "stop":
+            if control.about is not None:
+                stop_doing(commons, focus, control.about)
     return Verdict.SUCCEEDED
 
 
@@ -176,9 +195,7 @@ def _choose(commons: Commons, focus: Focus, described: Graphlet) -> None:
         commons.replies.append(asking.question)
 
 
-def _fact(
-    mind: Listener, commons: Commons, focus: Focus, fact: Graphlet, finds: tuple[Graphlet, ...]
-) -> Run:
+def _fact(commons: Commons, focus: Focus, fact: Graphlet, finds: tuple[Graphlet, ...]) -> Run:
     """Look up or make what the fact is about, take it for true, keep it if it is to last, react to it."""
     memory = commons.memory
     frame = Frame(commons, focus, {})
@@ -187,32 +204,20 @@ def _fact(
         memory.remember_description(
             [frame.binding[t.name] for t in find.terms if t.name in frame.binding]
         )
-    frame.binding, carrying = memory.tell(fact, frame.binding)
-    focus.nodes |= dict.fromkeys(frame.binding.values())
-    commons.record("fact", focus, text=" ".join(sorted(fact.words())))
+    told = Fact(fact, finds)
+    focus.lesson = _lesson(focus, "fact", managing.whole(told))
+    focus.saying = Saying(told, frame.binding)
+    learned = yield from Frame(commons, focus, {}).directive(Directive("ADD", LEARNING))
+    if not learned.ok:
+        return learned
+    focus.nodes |= dict.fromkeys((*frame.binding.values(), *focus.told))
     if (said := source(focus)) is not None:
-        commons.experience.told(carrying[0], said)
-    if _lasts(fact, finds):
-        terms = {t.name: t for g in (*finds, fact) for t in g.terms}
-        whole = canonical(Graphlet(tuple(terms.values()), fact.main))
-        if all(lesson.content != whole for lesson in commons.lessons.values()):
-            focus.lesson = _lesson(mind, focus, "fact", whole)
-            stored = yield from frame.directive(Directive("ADD"))
-            if not stored.ok:
-                return stored
+        commons.experience.told(focus.told[0], said)
     commons.replies.append(FactTaken(fact, finds))
-    return (yield from noted(commons, focus, carrying))
+    return (yield from noted(commons, focus, focus.told))
 
 
-def _lesson(mind: Listener, focus: Focus, kind: LessonKind, content: Content) -> Lesson:
+def _lesson(focus: Focus, kind: LessonKind, content: Content) -> Lesson:
     """The lesson of an utterance, not stored yet."""
-    utterance = focus.heard.utterance if focus.heard else Utterance("")
-    return Lesson(0, kind, content, utterance.text, mind.speaker, utterance.at_s)
-
-
-def _lasts(fact: Graphlet, finds: tuple[Graphlet, ...]) -> bool:
-    """Facts of kind about a named individual are kept like lessons (mind.md)."""
-    named = {t.name for g in (*finds, fact) for t in g.terms if t.kind == "obj" and t.lex}
-    named -= {t.name for g in (*finds, fact) for t in g.terms if t.lex & {"you", "me"}}
-    main = next((t for t in fact.terms if t.name == fact.main), None)
-    return main is not None and any(role == "ako" and to in named for role, to in main.links)
+    change = focus.changing()
+    return Lesson(0, kind, content, change.words, change.by, change.at_s)

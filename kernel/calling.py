@@ -83,6 +83,8 @@ def _served(commons: Commons, focus: Focus, act: Node, running: Act, name: str, 
         elif bid is not None:
             ticket, resource = bid.ticket, bid.resource
             commons.claims.append(Claim(focus.number, bid))
+            if focus is commons.recent.focus and commons.recent.thing == "command":
+                commons.recent.thing = "motion"
         focus.waits.add(name)
         yield
 

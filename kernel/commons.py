@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import random
-from dataclasses import dataclass, field
+from collections.abc import Generator
+from dataclasses import dataclass, field, replace
 from typing import Final, Literal
 
 from kernel.action.arbiter import Claim
@@ -11,14 +12,17 @@ from kernel.action.call import Bid, Tick
 from kernel.action.trace import Record, What
 from kernel.memory.asking import Asking
 from kernel.memory.attention import Attention, Failure, Focus, Progress
-from kernel.memory.change import Change
+from kernel.memory.change import SESSION, Change
 from kernel.memory.experience import Experience
 from kernel.memory.lesson import Lesson, Operator, Rule
 from kernel.memory.operators import Operators
 from kernel.memory.policy import Policy, Shift
+from kernel.memory.recent import Asked, Recent, Saying
 from kernel.memory.reply import LessonTaken, Reason, Reply
 from kernel.memory.settings import Settings
-from kernel.memory.working import WorkingMemory
+from kernel.memory.shelves import Shelves
+from kernel.memory.working import TOLD_LIMIT, WorkingMemory
+from kernel.net.graphlet import Graphlet
 from kernel.net.node import Node
 
 STEPS_A_TICK: Final = 1000  # mind.md: then a tick yields and logs
@@ -41,7 +45,10 @@ class Commons:
         attention: all foci.
         asking: which thing is meant: the question that is open.
         policy: what is in force of all that was learned; facts: the node of each stored fact in force, by lesson.
-        pending: changes the store has not answered for: the focus each came from, by key.
+        shelves: lessons in force by what they might be equal to or contradict.
+        sayings: how the facts of the session were told, by lesson.
+        pending: changes the store has not answered for: the focus each came from, and the whole change, by key.
+        asked: what to do with a doubtful lesson: the question that is open; recent: what was done last.
         struck: tickets that must end at their next turn, and why: "ended" as if they were done, "stopped" for good,
             all other reasons as failures.
         doing: every DO under way.
@@ -63,7 +70,11 @@ class Commons:
     attention: Attention = field(default_factory=Attention)
     asking: Asking | None = None
     shift: Shift = field(default_factory=Shift)
-    pending: dict[int, Focus] = field(default_factory=dict)
+    pending: dict[int, tuple[Focus, Change]] = field(default_factory=dict)
+    shelves: Shelves = field(default_factory=Shelves)
+    sayings: dict[int, Saying] = field(default_factory=dict)
+    asked: Asked | None = None
+    recent: Recent = field(default_factory=Recent)
     policy: Policy = field(default_factory=Policy)
     facts: dict[int, Node] = field(default_factory=dict)
     struck: dict[int, Reason | Literal["ended"]] = field(default_factory=dict)
@@ -93,32 +104,68 @@ class Commons:
         """Lessons in force, by number."""
         return self.policy.lessons
 
+    def session_number(self) -> int:
+        """A fresh number for a lesson or change that is not stored."""
+        return SESSION + self.next_number()
+
     def keep(self, focus: Focus, change: Change) -> int:
-        """Ask the store to keep a change of the policy; the key of its answer."""
+        """Ask the store to keep a change of the policy; the key of its answer.
+
+        What is of the session alone counts at once.
+        """
         key = self.next_number()
-        self.persist.append((key, change))
-        self.pending[key] = focus
+        durable = change.durable()
+        if durable is None:
+            self._take(focus, replace(change, ident=self.session_number()))
+        else:
+            self.persist.append((key, durable))
+            self.pending[key] = focus, change
         return key
+
+    def commit(self, focus: Focus, change: Change) -> Generator[None, None, bool]:
+        """Keep a change and wait until it counts; whether it does."""
+        key = self.keep(focus, change)
+        while key in self.pending:
+            focus.waits.add("store")
+            yield
+        return focus.failure is None or focus.failure.reason != "not_stored"
 
     def kept(self, key: int, change: Change) -> None:
         """The change is durable: it counts, even if its focus was stopped meanwhile."""
-        if key not in self.pending:
-            return
-        focus = self.pending.pop(key)
+        if key in self.pending:
+            focus, whole = self.pending.pop(key)
+            self._take(focus, whole.stored(change))
+
+    def _take(self, focus: Focus, change: Change) -> None:
         shift = self.change(change)
-        self.shift += shift
+        self.shift += shift.lasting()
         for lesson in shift.entered:
             self.record("lesson", focus, ident=lesson.ident, kind=lesson.kind)
         for lesson in shift.left:
             self.record("retracted", focus, ident=lesson.ident)
-        self.replies += [
-            LessonTaken(x) for x in change.learned if x.kind != "fact" and not x.origins
-        ]
+        for lesson in shift.moved:
+            self.record("adapted", focus, ident=lesson.ident, to=self.policy.strength(lesson))
+        if not change.own:
+            self.recent.thing = "change"
+        if not change.retracted:
+            self.replies += [
+                LessonTaken(x) for x in change.learned if x.kind != "fact" and not x.origins
+            ]
 
     def not_kept(self, key: int, why: str) -> None:
         """The store could not keep it."""
         if key in self.pending:
-            self.pending.pop(key).failure = Failure("not_stored", None, why)
+            focus, change = self.pending.pop(key)
+            if change.own:
+                self.record("error", focus, text=f"an adaptation was not kept: {why}")
+            else:
+                focus.failure = Failure("not_stored", None, why)
+
+    def may(self, person: str, lesson: Lesson) -> bool:
+        """Whether somebody may lift, forget or undo a prohibition: its teacher or the owner; anybody without owner."""
+        owner = self.settings.owner.lower()
+        prohibits = isinstance(lesson.content, Operator) and lesson.content.prohibits
+        return not (owner and prohibits) or person.lower() in {owner, lesson.teacher.lower()} - {""}
 
     def bear(self, lesson: Lesson) -> None:
         """Put a lesson in force that was there from the start."""
@@ -132,21 +179,52 @@ class Commons:
             self._retire(lesson)
         for lesson in shift.entered:
             self._enforce(lesson)
+        for lesson in (*shift.entered, *shift.moved):
+            self._strengthen(lesson)
         self.memory.changed()
         return shift
 
+    def note(self, ident: int, saying: Saying) -> None:
+        """Remember how a fact of the session was told; beyond the bound the oldest are lost."""
+        self.sayings[ident] = saying
+        while len(self.sayings) > TOLD_LIMIT:
+            oldest = next(iter(self.sayings))
+            del self.sayings[oldest]
+            if (lesson := self.lessons.get(oldest)) is not None:
+                self._retire(lesson)
+            self.policy.lose(oldest)
+
+    def _strengthen(self, lesson: Lesson) -> None:
+        """An adapted belief takes effect; preferences are asked for when operators are chosen."""
+        if isinstance(lesson.content, Rule):
+            self.memory.rules.believe(lesson, self.policy.strength(lesson))
+
     def _enforce(self, lesson: Lesson) -> None:
+        self.shelves.add(lesson)
         if isinstance(lesson.content, Rule):
             self.memory.rules.add(lesson)
         elif isinstance(lesson.content, Operator):
             self.operators.add(lesson)
         else:
-            self.facts[lesson.ident] = self.memory.recall_fact(lesson.content)
+            self.facts[lesson.ident] = self._recall(lesson.ident, lesson.content)
+
+    def _recall(self, ident: int, fact: Graphlet) -> Node:
+        """Take a fact for true, of the very things it was told of as long as they are in memory."""
+        saying = self.sayings.get(ident)
+        if saying is None or not all(node in self.memory.net for node in saying.about.values()):
+            return self.memory.recall_fact(fact)
+        _, carrying = self.memory.tell(saying.fact.fact, dict(saying.about))
+        return carrying[0]
 
     def _retire(self, lesson: Lesson) -> None:
+        self.shelves.remove(lesson)
         if isinstance(lesson.content, Rule):
             self.memory.rules.remove(lesson)
         elif isinstance(lesson.content, Operator):
             self.operators.remove(lesson)
         else:
-            self.memory.retract(self.facts.pop(lesson.ident))
+            node, saying = self.facts.pop(lesson.ident), self.sayings.get(lesson.ident)
+            if saying is not None and node in saying.about.values():
+                self.memory.told.pop(node, None)  # a name given to a thing: the thing itself stays
+            else:
+                self.memory.retract(node)

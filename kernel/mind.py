@@ -22,10 +22,10 @@ from kernel.commons import Commons
 from kernel.complaining import TELLING_FAILURES, complain, explanation, failed_act
 from kernel.imagining import suppose, transplant
 from kernel.memory.attention import ROOM, Attention, Failure, Focus
-from kernel.memory.change import Change
+from kernel.memory.change import SESSION, Change
 from kernel.memory.exchange import Inputs, Outputs
 from kernel.memory.experience import Experience
-from kernel.memory.lesson import Lesson, Operator
+from kernel.memory.lesson import INNATE, Lesson, Operator
 from kernel.memory.meaning import Command, Control, Heard, Question, Revision, Utterance
 from kernel.memory.operators import Operators
 from kernel.memory.policy import Shift
@@ -40,9 +40,6 @@ from kernel.steering import remember_interrupted
 PARTS: Final = ("gripper", "lift", "fork", "wheel", "battery", "finger", "arm")
 TAKEOVERS: Final = 3  # the same reaction may pre-empt the same focus so often in TAKEOVER_S
 TAKEOVER_S: Final = 10.0
-INNATE: Final = (
-    -1_000_000
-)  # number of the first operator of the body's own skills; the others are below
 
 
 class Mind:
@@ -82,8 +79,8 @@ class Mind:
 
     @property
     def policy(self) -> tuple[Lesson, ...]:
-        """Lessons in force, without the operators of the body's own skills."""
-        return tuple(x for x in self._commons.lessons.values() if x.ident > INNATE)
+        """Lessons in force, without the operators of the body's own skills and the facts of the session."""
+        return tuple(x for x in self._commons.lessons.values() if INNATE < x.ident < SESSION)
 
     @property
     def foci(self) -> tuple[Focus, ...]:
@@ -104,11 +101,6 @@ class Mind:
     def expecting(self) -> AskWhich | None:
         """The question that is open, if there is one."""
         return self._commons.asking.question if self._commons.asking else None
-
-    def _occupied(self, focus: Focus) -> bool:
-        """It does more than wait for a person's answer."""
-        asking = self._commons.asking
-        return asking is None or asking.focus != focus.number
 
     @property
     def experience(self) -> Experience:
@@ -157,6 +149,7 @@ class Mind:
         self._think()
         winners = self._arbitrate(now_s)
         self._fade(now_s)
+        commons.recent.say(commons.replies)
         outputs = Outputs(
             bids=() if stopping else winners,
             speech=tuple(commons.speech),
@@ -165,7 +158,7 @@ class Mind:
             shift=commons.shift,
             trace=tuple(commons.trace),
             stop_epoch=self.epoch,
-            busy=any(map(self._occupied, self._attention.active())),
+            busy=any(not focus.waiting for focus in self._attention.active()),
         )
         for produced in (commons.speech, commons.replies, commons.persist, commons.trace):
             produced.clear()
@@ -245,6 +238,9 @@ class Mind:
             if focus.run is None:
                 continue
             focus.waits.clear()
+            if focus.dismissed:
+                self.close(focus, Verdict.STOPPED)
+                continue
             try:
                 next(focus.run)
             except StopIteration as end:

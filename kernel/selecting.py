@@ -115,7 +115,7 @@ class Selection:
                 continue
             enabled = self._enabled(operator.enablement, binding, threshold)
             if enabled is None or any(
-                holds(g, net, depth, known(g, enabled), threshold) for g in operator.unless
+                self._excepted(g, enabled, threshold) for g in operator.unless
             ):
                 continue
             terms = (*trigger.terms, *(t for g in operator.enablement for t in g.terms))
@@ -143,22 +143,85 @@ class Selection:
             for node in binding.values()
         )
 
+    def _excepted(self, exception: Graphlet, binding: Binding, threshold: float) -> bool:
+        """Whether the exception holds; one about the speaker ("only Mary may ...") for whoever may be speaking."""
+        memory, bound = self.commons.memory, known(exception, binding)
+        starts = [bound]
+        if (teller := _teller((exception,))) and teller not in bound:
+            starts = [{**bound, teller: who} for who in self.speakers()] or starts
+        return all(holds(exception, memory.net, memory.depth, s, threshold) for s in starts)
+
+    def speakers(self) -> tuple[Node, ...]:
+        """Where it is unsure which of several known persons speaks: these."""
+        act = self.focus.speech_act
+        found = tuple(act.to("agt")) if act is not None else ()
+        return found[1:]
+
     def permitted(self, prohibition: Chosen) -> bool:
-        """Whether a permission at least as specific voids this prohibition; on a tie the newer one counts."""
+        """Whether permissions at least as specific void this prohibition; on a tie the newer one counts.
+
+        A veto about a speaker is lifted only by a permission that names that speaker: all of them, where it is unsure
+        who speaks. Nobody lifts a prohibition of somebody else's that is not theirs (Commons.may).
+        """
         about_speaker = names_speaker(prohibition.operator)
+        by: list[Chosen] = []
         for permission in self.applicable("ALLOW"):
-            if about_speaker and not names_speaker(permission.operator):
+            if about_speaker and not _named_teller(permission.operator):
+                continue
+            if not self.commons.may(permission.lesson.teacher, prohibition.lesson):
                 continue
             newer = permission.lesson.ident > prohibition.lesson.ident
             if permission.specificity > prohibition.specificity or (
                 permission.specificity == prohibition.specificity and newer
             ):
-                self.commons.record("permitted", self.focus, by=permission.lesson.words)
-                return True
-        return False
+                by.append(permission)
+        speakers = self.speakers()
+        for permission in by:
+            if speakers and _named_teller(permission.operator):
+                continue
+            self.commons.record("permitted", self.focus, by=permission.lesson.words)
+            return True
+        named = [permission for permission in by if _named_teller(permission.operator)]
+        return bool(speakers) and all(
+            any(self._allows(permission, who) for permission in named) for who in speakers
+        )
+
+    def _allows(self, permission: Chosen, speaker: Node) -> bool:
+        """Whether it permits this very speaker."""
+        teller = _named_teller(permission.operator)
+        words = next(
+            (t.lex for g in _patterns(permission.operator) for t in g if t.name == teller),
+            frozenset(),
+        )
+        return bool(words) and words <= speaker.words()
 
 
 def names_speaker(operator: Operator) -> bool:
     """Whether it asks who gave the order."""
-    graphlets = (operator.trigger.graphlet, *operator.enablement)
-    return any(role == "cmd" for g in graphlets if g for t in g.terms for role, _ in t.links)
+    return bool(_teller(_patterns(operator)))
+
+
+def names_act(operator: Operator) -> bool:
+    """Whether its trigger says which act it is about."""
+    trigger = operator.trigger.graphlet
+    return trigger is not None and any(t.lex for t in trigger if t.name == trigger.main)
+
+
+def _patterns(operator: Operator) -> tuple[Graphlet, ...]:
+    return tuple(g for g in (operator.trigger.graphlet, *operator.enablement) if g is not None)
+
+
+def _teller(graphlets: tuple[Graphlet, ...]) -> str:
+    """Name of who gives the order, "" where none is asked about."""
+    for term in (term for graphlet in graphlets for term in graphlet):
+        if "cmd" in dict(term.links):
+            return dict(term.links).get("agt", "?")
+    return ""
+
+
+def _named_teller(operator: Operator) -> str:
+    """The same, if he is called by his name."""
+    patterns = _patterns(operator)
+    teller = _teller(patterns)
+    named = any(t.name == teller and t.lex for graphlet in patterns for t in graphlet)
+    return teller if named else ""

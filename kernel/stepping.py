@@ -5,13 +5,14 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING, Final
 
+from kernel import adapting
 from kernel.action.chain import Chain, Directive
 from kernel.action.step import Advice, Run, StepReason, break_off
 from kernel.action.verdict import Verdict
 from kernel.calling import act_text, call
 from kernel.hypothesis import Hypothesis, suppose
+from kernel.learning import learn
 from kernel.memory.attention import Failure
-from kernel.memory.change import Change
 from kernel.memory.choice import choice_weights, in_turn
 from kernel.memory.inference import of_match
 from kernel.memory.lesson import Lesson
@@ -23,7 +24,7 @@ from kernel.memory.wondering import asked_for, spelled_out
 from kernel.net.match import matches
 from kernel.net.node import Node, describe
 from kernel.remembering import occasion_of
-from kernel.selecting import Chosen, Selection
+from kernel.selecting import Chosen, Selection, names_act
 from kernel.stopping import stop_matching
 
 if TYPE_CHECKING:
@@ -44,6 +45,7 @@ class RunningStep:
         self.commons, self.focus = frame.commons, frame.focus
         self.advised = False  # an operator was followed to a good end, or to a PUNT
         self.followed: list[Lesson] = []
+        self.failed: list[Lesson] = []
         self.deed = 0  # its number, where this is a DO
         self.complained = False
         self.selection = Selection(self.commons, self.focus, frame.within, frame.threshold)
@@ -63,7 +65,8 @@ class RunningStep:
         if directive.tag == "DO":
             inherited = inherit(memory.net, self.selection.node, frame.manners)
             self.focus.nodes |= dict.fromkeys(inherited)
-        if directive.tag == "DO" and self.focus.speech_act is not None and frame.ordered:
+        told = directive.tag in ("DO", "ADD", "EDIT") and frame.ordered
+        if told and self.focus.speech_act is not None:
             memory.net.link(self.focus.speech_act, "cmd", self.selection.node)
         memory.changed()
 
@@ -98,6 +101,9 @@ class RunningStep:
 
     def _chosen(self, tag: str) -> Iterator[Chosen]:
         found = list(self.selection.applicable(tag))
+        if self.directive.tag in ("ADD", "EDIT"):
+            # "If Rick tells you to do something don't" is about acts: learning has to be named.
+            found = [c for c in found if names_act(c.operator)]
         if tag == "ANTE":
             found.sort(key=lambda c: not c.operator.prohibits)
             found = [c for c in found if not (c.operator.prohibits and self.selection.permitted(c))]
@@ -170,7 +176,10 @@ class RunningStep:
         frame.endless = self.frame.endless and _is_bridge(advice.operator.chain)
         if advice.operator.trigger.tag == "NOTE" and self.focus.reaction is None:
             self.focus.reaction = advice.lesson
+        if not self.frame.within and advice.operator.trigger.tag in ("DO", "NOTE"):
+            adapting.begun(self.commons, self.focus, advice.lesson)
         verdict = yield from frame.chain(advice.operator.chain)
+        adapting.ended(self.commons, self.focus, advice.lesson, self.failed, verdict)
         asked = self.directive.tag in ("CHK", "FIND", "ASK")  # what counts is what is known then
         if verdict.ok or asked or tag in ("POST", "NOTE"):
             self.focus.failure = before
@@ -261,17 +270,14 @@ class RunningStep:
 
     def learn(self) -> Run:
         """Wait until the lesson is kept, or is not."""
-        lesson = self.focus.lesson
-        if lesson is None:
-            return Verdict.FAILED
-        change = Change(by=lesson.teacher, words=lesson.words, at_s=lesson.at_s, learned=(lesson,))
-        key = self.commons.keep(self.focus, change)
-        while key in self.commons.pending:
-            self.waits("store")
-            yield
-        failure = self.focus.failure
-        refused = failure is not None and failure.reason == "not_stored"
-        return Verdict.FAILED if refused else Verdict.SUCCEEDED
+        learned = yield from learn(self.commons, self.focus)
+        return Verdict.SUCCEEDED if learned else Verdict.FAILED
+
+    def revise(self) -> Run:
+        """Wait until the change is kept, or is not."""
+        change = self.focus.change
+        kept = change is not None and (yield from self.commons.commit(self.focus, change))
+        return Verdict.SUCCEEDED if kept else Verdict.FAILED
 
     def _question(self) -> Question | None:
         meaning = self.focus.heard.meaning if self.focus.heard else None

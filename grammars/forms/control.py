@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from typing import Final, Literal
+from typing import Final, get_args
 
 from grammars.alist import AList
-from grammars.build import Build
-from grammars.registry import sentence_form
-from kernel.memory.meaning import Control
+from grammars.build import Build, NoMeaningError
+from grammars.registry import FORMS, sentence_form
+from kernel.memory.meaning import Act, Control, Fact, Teach
 
 EXAMPLES = (
     "stop",
@@ -15,32 +15,35 @@ EXAMPLES = (
     "stop turning",
     "never mind",
     "undo that",
+    "undo everything from today",
     "forget how to dance",
+    "forget the last lesson",
+    "forget what I told you about Mary",
+    "forget that Mary is a girl",
+    "forget that if something is very close you should drive backwards",
+    "keep both",
+    "replace it",
     "Repeat that.",
     "go on",
     "what did you learn today",
 )
-Act = Literal["stop", "cancel", "undo", "forget", "repeat", "resume", "learned"]
-ACTS: Final[tuple[Act, ...]] = (
-    "stop",
-    "cancel",
-    "undo",
-    "forget",
-    "repeat",
-    "resume",
-    "learned",
-)
+ACTS: Final[tuple[Act, ...]] = get_args(Act)
 
 
 @sentence_form("control", "control", EXAMPLES)
 def control(alist: AList) -> Control:
     """What to do with what is going on, and with which action of it."""
-    about = alist.find("gerunding")
     act = next((act for act in ACTS if alist.has(act)), ACTS[0])
-    if (forget := alist.find("forget")) is not None:
-        about = forget.find("action", "gerunding")
-    if about is None:
-        return Control(act)
+    forget = alist.find("forget")
+    if forget is not None and (told := forget.find("told_again")) is not None:
+        (again,) = told.parts
+        meaning = FORMS[again.name].build(again)
+        if not isinstance(meaning, Teach | Fact):
+            raise NoMeaningError(str(alist))
+        return Control(act, told=meaning)
     build = Build()
     with build.drawing(pattern=True):
-        return Control(act, build.graphlet(build.action(about)))
+        if forget is not None and (thing := forget.find("np")) is not None:
+            return Control(act, build.graphlet(build.thing(thing)))
+        about = (forget or alist).find("action", "gerunding")
+        return Control(act, None if about is None else build.graphlet(build.action(about)))

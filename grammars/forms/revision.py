@@ -12,6 +12,7 @@ from kernel.net.graphlet import Graphlet
 EXAMPLES = (
     "no raise the lift instead",
     "when you cha-cha drive backwards first",
+    "when you cha-cha say thank you at the end",
     "Actually, drive forward 5 inches instead of 10.",
     "not the red one the blue one",
     "you should say good evening instead of good day",
@@ -29,6 +30,8 @@ def revision(alist: AList) -> Revision:
     with build.drawing(pattern=True):
         of = build.graphlet(build.action(old.first("action"))) if old is not None else None
     with build.drawing(pattern=True):
+        if instead is None:
+            instead = _other_amount(alist)
         replaced = build.graphlet(build.action(instead)) if instead is not None else None
     if (chain := alist.find("chain")) is not None:
         steps = build.chain(chain)
@@ -37,7 +40,20 @@ def revision(alist: AList) -> Revision:
         if not things:
             raise NoMeaningError(str(alist))
         replaced, steps = _things(build, things)
-    return Revision(steps, replaced, of)
+    return Revision(steps, replaced, of, last=alist.has("at_end"))
+
+
+def _other_amount(alist: AList) -> AList | None:
+    """The action with the amount it had before: "drive forward 5 inches instead of 10"."""
+    was, chain = alist.find("num", "amt"), alist.find("chain")
+    play = chain.all("play")[-1] if was is not None and chain is not None else None
+    action = play.find("action") if play is not None else None
+    now = action.find("amt") if action is not None else None
+    if was is None or action is None or now is None:
+        return None
+    if was.name == "num":
+        was = AList("amt", tuple(was if p.name == "num" else p for p in now.parts))
+    return AList(action.name, tuple(was if p is now else p for p in action.parts))
 
 
 def _words(build: Build, alist: AList) -> Revision:

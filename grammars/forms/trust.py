@@ -11,7 +11,7 @@ from grammars.build import Build
 from grammars.clauses import told
 from grammars.registry import sentence_form
 from kernel.action.chain import Chain, Directive, Play
-from kernel.memory.lesson import Operator
+from kernel.memory.lesson import LEARN, Operator
 from kernel.memory.meaning import Teach
 
 EXAMPLES = (
@@ -20,6 +20,7 @@ EXAMPLES = (
     "if freddy asks you to raise the lift do not",
     "Don't take orders from Janey.",
     "never turn left when Rick tells you to",
+    "don't let Rick teach you",
 )
 
 
@@ -31,7 +32,10 @@ def trust(alist: AList) -> Teach:
     order = alist.find("ordered", "ordering") or alist
     speaker = order.find("np") or alist.first("np")
     with build.drawing(pattern=True, trigger=True):
-        act = build.act_or_any(alist.find("action") or order.find("action"))
+        if alist.has("teach"):
+            act = build.add("act", LEARN)
+        else:
+            act = build.act_or_any(alist.find("action") or order.find("action"))
         done = build.graphlet(act)
     with build.drawing(pattern=True, trigger=True):
         telling = build.graphlet(told(build, speaker, act))

@@ -8,9 +8,10 @@ from __future__ import annotations
 import re
 from importlib.resources import files
 from typing import Final, get_args
+from zlib import crc32
 
 from kernel.errors import NotationError
-from kernel.memory.lesson import Lesson, LessonKind
+from kernel.memory.lesson import INNATE, Lesson, LessonKind
 from kernel.memory.notation import read
 
 COMPILED: Final = "born.net"
@@ -18,7 +19,10 @@ _HEAD: Final = re.compile(r"# (?P<kind>[a-z]+): (?P<words>.+)")
 
 
 def born() -> list[Lesson]:
-    """The lessons it is born with, numbered -1, -2 ... in the order of the sentences.
+    """The lessons it is born with, in the order of the sentences.
+
+    Their numbers are below zero and made from the notation: a forgotten one stays forgotten although sentences are
+    added or removed.
 
     Raises:
         NotationError: the compiled file is damaged.
@@ -39,6 +43,6 @@ def lessons(compiled: str) -> list[Lesson]:
         kinds: dict[str, LessonKind] = {kind: kind for kind in get_args(LessonKind)}
         if match is None or match["kind"] not in kinds:
             raise NotationError(1, heading, "a heading such as # procedure: to bow, lower the lift")
-        lesson = Lesson(-len(found) - 1, kinds[match["kind"]], read(notation), match["words"])
-        found.append(lesson)
+        number = -1 - crc32(notation.strip().encode()) % (-INNATE - 1)
+        found.append(Lesson(number, kinds[match["kind"]], read(notation), match["words"]))
     return found

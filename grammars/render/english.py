@@ -52,6 +52,8 @@ def render(meaning: Meaning | Content, voice: Voice) -> str:
             return thing(Telling((described,), (), voice), described.main)
         case Revision():
             return talk.revision(meaning, voice)
+        case Control(told=told) if told is not None:
+            return f"forget that {render(told, voice)}"
         case Control():
             return talk.control(meaning, voice)
         case Feedback() | Identity() | Social():

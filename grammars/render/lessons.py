@@ -12,7 +12,7 @@ from grammars.render.deeds import deed
 from grammars.render.procedures import procedure, without
 from grammars.render.telling import SAYING, Telling, Voice, linked, word
 from grammars.render.things import literally, pronoun, thing
-from kernel.memory.lesson import Operator, Rule
+from kernel.memory.lesson import LEARN, Operator, Rule
 from kernel.net.graphlet import Graphlet, Term
 
 _STRENGTHS: Final = {value: words for words, value in reversed(PREFERENCE.items())} | {1.0: ""}
@@ -68,6 +68,8 @@ def shortened(content: Operator, act: str) -> list[str]:
             cause = _teller(content)
             if cause is not None and content.trigger.graphlet:
                 telling = Telling((content.trigger.graphlet,), (), "robot")
+                if telling.term(_main(content)).lex == {LEARN}:
+                    return [f"I will not learn from {thing(telling, linked(cause, 'agt'))}"]
                 return [f"I will not always obey {thing(telling, linked(cause, 'agt'))}"]
             return [f"I will not {act}", f"I will not always {verb}"]
         case "ALLOW":
@@ -215,7 +217,10 @@ def _prohibition(telling: Telling, content: Operator) -> str:
     instead = without(content.chain, "PUNT")
     robot = telling.voice == "robot"
     cause = _teller(content)
-    if cause is not None:
+    if cause is not None and telling.term(_main(content)).lex == {LEARN}:
+        teacher = thing(telling, linked(cause, "agt"))
+        said = f"{'I will' if robot else 'do'} not let {teacher} teach {'me' if robot else 'you'}"
+    elif cause is not None:
         said = f"if {_told(telling, cause)}{_enabled(telling, content)}, {'I will not' if robot else 'do not'}"
         said += _except(telling, content)
     elif (only := _only_from(telling, content)) is not None:

@@ -15,7 +15,10 @@ _STEERING: Final = {
     "stop": "stop",
     "cancel": "never mind",
     "undo": "undo that",
-    "forget": "forget that",
+    "undo_today": "undo everything from today",
+    "forget": "forget the last lesson",
+    "keep": "keep both",
+    "replace": "replace it",
     "resume": "go on",
     "repeat": "repeat that",
     "learned": "what did you learn today",
@@ -41,6 +44,9 @@ def control(meaning: Control, voice: Voice) -> str:
     main = meaning.about.main
     if meaning.act == "stop":
         return f"stop {deed(telling, main, 'gerund')}"
+    if not main.startswith("act"):
+        who = pronoun(telling, "me", "subject")
+        return f"forget what {who} told {pronoun(telling, 'you', 'object')} about {thing(telling, main)}"
     return f"forget how to {deed(telling, main)}"
 
 
@@ -55,7 +61,7 @@ def revision(meaning: Revision, voice: Voice) -> str:
     steps = procedure(telling, meaning.chain)
     if meaning.of is not None:
         you = pronoun(telling, "you", "subject")
-        return f"when {you} {deed(telling, meaning.of.main)}, {steps} first"
+        return f"when {you} {deed(telling, meaning.of.main)}, {steps} {'at the end' if meaning.last else 'first'}"
     if old is None:
         return f"no, {steps} instead"
     return f"no, {steps} instead of {deed(telling, old.main, 'gerund')}"

@@ -144,6 +144,9 @@ _SENTENCES: Final[dict[Reason, Callable[[Failed], str]]] = {
     "not_achieved": _not_achieved,
     "conflict": _conflict,
     "no_room": lambda r: "I have too much on my mind, please say that again later",
+    "not_yours": lambda r: (
+        f"only {proper(r.detail) + ' or ' if r.detail else ''}my owner may change that"
+    ),
     "not_stored": lambda r: f"I could not keep that{': ' + r.detail if r.detail else ''}",
     "not_so": _not_so,
     "not_known": _not_known,

@@ -13,7 +13,7 @@ from typing import Final
 from kernel.net.graphlet import Graphlet
 
 PAPER_TAGS: Final = ("NOTE", "DO", "ANTE", "POST", "CHK", "FIND", "ACH", "KEEP", "PUNT", "FCN")
-OUR_TAGS: Final = ("ADD", "ALLOW", "ASK", "EXCUSE", "STOP", "WAIT")
+OUR_TAGS: Final = ("ADD", "ALLOW", "ASK", "EDIT", "EXCUSE", "STOP", "WAIT")
 
 
 @dataclass(frozen=True, slots=True)

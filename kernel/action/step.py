@@ -57,6 +57,9 @@ class Step(Protocol):
     def learn(self) -> Run:
         """Make the lesson at hand durable, then put it in force."""
 
+    def revise(self) -> Run:
+        """Make the change at hand durable, then let it take effect."""
+
     def excuse(self) -> bool:
         """Give the explanation of the failure at hand; False where there is none."""
 

@@ -20,6 +20,7 @@ What = Literal[
     "verdict",  # a focus ended: data verdict, text
     "lesson",
     "retracted",  # data ident
+    "adapted",  # a strength moved: data ident of the lesson, to
     "fact",
     "sensed",
     "concluded",

@@ -1,11 +1,20 @@
-"""ADD (ours): learn a rule or operator."""
+"""ADD (ours): learn a rule, an operator or a fact."""
 
 from __future__ import annotations
 
 from kernel.action.step import Run, Step, directive
+from kernel.action.verdict import Verdict
 
 
 @directive("ADD")
 def add(step: Step) -> Run:
-    """Ask for the lesson to be stored and wait; it is in force, and acknowledged, only once it is durable."""
+    """Ask for the lesson to be stored and wait; it is in force, and acknowledged, only once it is durable.
+
+    Learning is an act like others: ANTE operators on it come first, and a PUNT in one of them forbids it ("don't let
+    Rick teach you"). A veto on whatever somebody tells the robot to do is no veto on learning.
+    """
+    for operator in step.operators("ANTE"):
+        if (yield from step.run(operator)) is Verdict.PUNTED:
+            step.explain("prohibited")
+            return Verdict.FAILED
     return (yield from step.learn())

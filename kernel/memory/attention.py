@@ -12,9 +12,11 @@ from typing import Final
 from kernel.action.chain import Chain
 from kernel.action.step import Run
 from kernel.action.verdict import Verdict
+from kernel.memory.change import Change
 from kernel.memory.inference import Inference
 from kernel.memory.lesson import Lesson
 from kernel.memory.meaning import Heard
+from kernel.memory.recent import Saying
 from kernel.memory.reply import Reason, Reply
 from kernel.net.graphlet import Graphlet
 from kernel.net.match import Binding
@@ -77,6 +79,9 @@ class Focus:
         said: how often it has spoken.
         excuse: the reply that explains a failure; this focus notes that failure.
         progress: how far its command has come, None for what is no command.
+        by: who spoke, "" if not identified; change: what it is to change.
+        saying: the fact that it is to learn; told: the nodes that carry it.
+        waiting: for an answer, which may never come; dismissed: it is to be ended, by another utterance.
         preempted: when which lesson's reaction took a resource from it, s.
         waits: what its chains wait for: the grounding functions, the store, a condition, an answer; set by whatever
             yields, so that nothing waits for nothing.
@@ -95,6 +100,12 @@ class Focus:
     said: int = 0
     excuse: Reply | None = None
     progress: Progress | None = None
+    by: str = ""
+    change: Change | None = None
+    saying: Saying | None = None
+    told: tuple[Node, ...] = ()
+    waiting: bool = False
+    dismissed: bool = False
     preempted: list[tuple[float, int]] = field(default_factory=list)
     waits: set[str] = field(default_factory=set)
 
@@ -102,6 +113,11 @@ class Focus:
     def words(self) -> str:
         """The utterance it descends from, "" for none."""
         return self.heard.utterance.text if self.heard else ""
+
+    def changing(self) -> Change:
+        """A change on behalf of who spoke, with nothing in it yet."""
+        at_s = self.heard.utterance.at_s if self.heard else 0.0
+        return Change(by=self.by, words=self.words, at_s=at_s)
 
 
 class Attention:

@@ -2,9 +2,16 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from typing import Final
 
 from kernel.memory.lesson import Lesson
+
+SESSION: Final = (
+    10**12
+)  # numbers from here on are of this session alone: nothing of theirs is stored
+LEAST: Final = 0.1  # mind.md: bounds of an adapted preference
+MOST: Final = 1.5
 
 
 @dataclass(frozen=True, slots=True)
@@ -21,7 +28,7 @@ class Change:
     """One entry of the journal; all of it becomes durable at once, or none of it does.
 
     Attributes:
-        ident: number in the store, in the order of time; 0 before it is stored.
+        ident: number in the store, in the order of time; 0 before it is stored; from SESSION on it is not stored.
         by: who asked for it, "" if not identified; words: the exact words; at_s: wall time, s since 1970.
         learned: lessons it put in force; stored ones carry their numbers.
         retracted: numbers of lessons it took out of force.
@@ -39,3 +46,23 @@ class Change:
     adapted: tuple[Adapted, ...] = ()
     undone: tuple[int, ...] = ()
     own: bool = False
+
+    @property
+    def teaches(self) -> bool:
+        """It does more than taking other changes back."""
+        return bool(self.learned or self.retracted or self.adapted)
+
+    def durable(self) -> Change | None:
+        """What of it is to be stored; None where nothing is (told facts are of the session)."""
+        kept = replace(
+            self,
+            learned=tuple(x for x in self.learned if x.ident < SESSION),
+            retracted=tuple(n for n in self.retracted if n < SESSION),
+            undone=tuple(n for n in self.undone if n < SESSION),
+        )
+        return kept if kept.learned or kept.retracted or kept.adapted or kept.undone else None
+
+    def stored(self, durable: Change) -> Change:
+        """The whole of it, with the numbers that the store gave to what is durable."""
+        of_session = tuple(x for x in self.learned if x.ident >= SESSION)
+        return replace(self, ident=durable.ident, learned=(*durable.learned, *of_session))

@@ -3,10 +3,14 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Literal
+from typing import Final, Literal
 
 from kernel.action.chain import Chain, Directive
 from kernel.net.graphlet import Graphlet
+
+# Number of the first operator of the body's own skills; the others are below.
+INNATE: Final = -1_000_000
+LEARN: Final = "learn"  # the act of taking a lesson or a fact: a person may forbid it as any other
 
 
 @dataclass(frozen=True, slots=True)

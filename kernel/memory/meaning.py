@@ -80,18 +80,35 @@ class Social:
     act: Literal["hello", "thanks", "bye", "sorry"]
 
 
+Act = Literal[
+    "stop",
+    "cancel",
+    "undo",
+    "undo_today",
+    "forget",
+    "keep",
+    "replace",
+    "resume",
+    "repeat",
+    "learned",
+]
+
+
 @dataclass(frozen=True, slots=True)
 class Control:
     """Steering the robot's mind, not its body.
 
     Attributes:
-        about: what is to be stopped or forgotten, where that was said.
+        act: "undo_today" takes back all that was changed today; "keep" and "replace" answer what to do with a lesson.
+        about: what is to be stopped or forgotten: an act, or a thing that facts are about.
         lessons: numbers of the lessons to be forgotten, where these were given instead.
+        told: the lesson or fact to be forgotten, told again.
     """
 
-    act: Literal["stop", "cancel", "undo", "forget", "resume", "repeat", "learned"]
+    act: Act
     about: Graphlet | None = None
     lessons: tuple[int, ...] = ()
+    told: Teach | Fact | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -105,12 +122,13 @@ class Choice:
 class Revision:
     """A correction of the last command or lesson.
 
-    Do this (chain) instead of that (instead_of), or when doing that verb (of).
+    Do this (chain) instead of that (instead_of), or when doing that verb (of): first, or last.
     """
 
     chain: Chain
     instead_of: Graphlet | None = None
     of: Graphlet | None = None
+    last: bool = False
 
 
 Meaning = (
@@ -128,6 +146,7 @@ class Utterance:
         at_s: wall time of its end, s since 1970.
         confidence: 0 to 1; 1 for typed text.
         alternatives: other hypotheses, best first.
+        candidates: where the voice is one of several known ones, their names; speaker is "" then.
     """
 
     text: str
@@ -135,6 +154,7 @@ class Utterance:
     at_s: float = 0.0
     confidence: float = 1.0
     alternatives: tuple[str, ...] = ()
+    candidates: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)

@@ -63,13 +63,15 @@ def write_meaning(meaning: Meaning) -> tuple[str, ...]:
             return (f"user-1 -lex- {name}",)
         case Social(act):
             return (act,)
-        case Control(act, about):
-            return (act, *((write(about),) if about else ()))
+        case Control(act, about, _, told):
+            again = write_meaning(told) if told else ()
+            return (act, *((write(about),) if about else ()), *again)
         case Choice(described):
             return (write(described),)
-        case Revision(chain, instead_of, of):
+        case Revision(chain, instead_of, of, last):
             parts = [("instead of", instead_of), ("of", of)]
-            return (write(chain), *(f"{label}:\n{write(g)}" for label, g in parts if g))
+            said = tuple(f"{label}:\n{write(g)}" for label, g in parts if g)
+            return (write(chain), *said, *(("last",) * last))
 
 
 def read(text: str) -> Content:
@@ -107,11 +109,12 @@ def _graphlets(content: Written) -> Iterator[Graphlet]:
 
 
 def _renamed(content: W, names: dict[str, str]) -> W:
-    renamed: W = _mapped(content, lambda graphlet: _tidy(graphlet.renamed(names)))
+    renamed: W = mapped(content, lambda graphlet: _tidy(graphlet.renamed(names)))
     return renamed
 
 
-def _mapped(content: Any, change: Callable[[Graphlet], Graphlet]) -> Any:
+def mapped(content: Any, change: Callable[[Graphlet], Graphlet]) -> Any:
+    """The same content with every graphlet changed."""
     match content:
         case Graphlet():
             return change(content)
@@ -121,8 +124,8 @@ def _mapped(content: Any, change: Callable[[Graphlet], Graphlet]) -> Any:
             return Chain(
                 tuple(
                     Play(
-                        tuple(_mapped(p, change) for p in play.required),
-                        tuple(_mapped(p, change) for p in play.auxiliary),
+                        tuple(mapped(p, change) for p in play.required),
+                        tuple(mapped(p, change) for p in play.auxiliary),
                     )
                     for play in plays
                 )
@@ -130,7 +133,7 @@ def _mapped(content: Any, change: Callable[[Graphlet], Graphlet]) -> Any:
         case Loop():
             return replace(
                 content,
-                body=_mapped(content.body, change),
+                body=mapped(content.body, change),
                 until=change(content.until) if content.until else None,
                 whilst=change(content.whilst) if content.whilst else None,
                 each=change(content.each) if content.each else None,
@@ -145,8 +148,8 @@ def _mapped(content: Any, change: Callable[[Graphlet], Graphlet]) -> Any:
         case Operator():
             return replace(
                 content,
-                trigger=_mapped(content.trigger, change),
-                chain=_mapped(content.chain, change),
+                trigger=mapped(content.trigger, change),
+                chain=mapped(content.chain, change),
                 enablement=tuple(map(change, content.enablement)),
                 unless=tuple(map(change, content.unless)),
             )

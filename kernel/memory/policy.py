@@ -2,15 +2,22 @@
 
 A change counts unless a later one that counts takes it back; a lesson is in force if the change that taught it counts
 and none that counts retracts it; its strength is that of the last adaptation that counts (all ours).
+
+Memory is bounded, while the store has it all: of the robot's own adaptations of a lesson the last one is kept (none is
+ever taken back alone), and of lessons out of force the last RETIRED_KEPT; what is older cannot be brought back before a
+restart.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from typing import Final
 
-from kernel.memory.change import Change
+from kernel.memory.change import SESSION, Change
 from kernel.memory.lesson import Lesson
+
+RETIRED_KEPT: Final = 1000
 
 
 @dataclass(frozen=True, slots=True)
@@ -23,6 +30,11 @@ class Shift:
 
     def __add__(self, later: Shift) -> Shift:
         return Shift(self.entered + later.entered, self.left + later.left, self.moved + later.moved)
+
+    def lasting(self) -> Shift:
+        """Without facts of the session."""
+        return Shift(*(tuple(x for x in part if x.ident < SESSION) for part in
+                       (self.entered, self.left, self.moved)))  # fmt: skip
 
 
 class Policy:
@@ -41,6 +53,8 @@ class Policy:
         self._undone_by: dict[int, list[int]] = {}
         self._adapted_by: dict[int, list[int]] = {}
         self._strengths: dict[int, float] = {}
+        self._retired: dict[int, None] = {}
+        self._gone: set[int] = set()
 
     def bear(self, lesson: Lesson) -> None:
         """Put a lesson in force that no change taught: it was born with."""
@@ -50,8 +64,8 @@ class Policy:
         """Take a stored change into account."""
         self._changes[change.ident] = change
         touched = dict.fromkeys(self._file(change))
-        for other in change.undone:
-            touched |= dict.fromkeys(self._touched(other))
+        for other in self._turn(change.undone):
+            touched |= dict.fromkeys(_lessons(self._changes[other]))
         entered, left, moved = [], [], []
         for ident in touched:
             lesson = self._known.get(ident)
@@ -60,17 +74,63 @@ class Policy:
             before, after = ident in self.lessons, self._holds(ident)
             if after and not before:
                 self.lessons[ident] = lesson
+                self._retired.pop(ident, None)
                 entered.append(lesson)
             elif before and not after:
                 del self.lessons[ident]
+                self._retired[ident] = None
                 left.append(lesson)
             if self._restrengthen(lesson) and after and before:
                 moved.append(lesson)
+        while len(self._retired) > RETIRED_KEPT:
+            self.lose(next(iter(self._retired)))
         return Shift(tuple(entered), tuple(left), tuple(moved))
+
+    def preview(self, change: Change) -> Shift:
+        """What a change would do; nothing is changed."""
+        other = Policy()
+        other.lessons, other._known = dict(self.lessons), dict(self._known)
+        other._changes, other._gone = dict(self._changes), set(self._gone)
+        other._learned_by, other._strengths = dict(self._learned_by), dict(self._strengths)
+        other._retired = dict(self._retired)
+        other._retracted_by = {n: list(by) for n, by in self._retracted_by.items()}
+        other._undone_by = {n: list(by) for n, by in self._undone_by.items()}
+        other._adapted_by = {n: list(by) for n, by in self._adapted_by.items()}
+        return other.apply(replace(change, ident=2 * SESSION))
+
+    def lose(self, ident: int) -> None:
+        """Drop a lesson from memory, with the changes that concern nothing else."""
+        for place in (self._known, self.lessons, self._retired, self._strengths):
+            place.pop(ident, None)
+        taught = self._learned_by.pop(ident, None)
+        concerning = {*self._retracted_by.pop(ident, ()), *self._adapted_by.pop(ident, ())}
+        for number in sorted(concerning | ({taught} if taught else set())):
+            self._shrink(number, ident)
+
+    def _shrink(self, number: int, ident: int) -> None:
+        """Take a lesson out of a change; a change without content goes, and those that took back only it."""
+        pending = [number]
+        while pending:
+            number = pending.pop()
+            if number not in self._changes:
+                continue
+            change = self._changes[number]
+            change = replace(
+                change,
+                learned=tuple(x for x in change.learned if x.ident != ident),
+                retracted=tuple(n for n in change.retracted if n != ident),
+                adapted=tuple(a for a in change.adapted if a.lesson != ident),
+            )
+            self._changes[number] = change
+            undoes = any(other in self._changes for other in change.undone)
+            if not (change.learned or change.retracted or change.adapted or undoes):
+                del self._changes[number]
+                self._gone.discard(number)
+                pending += self._undone_by.pop(number, ())
 
     def counts(self, change: int) -> bool:
         """Whether the change of that number is not taken back."""
-        return not any(self.counts(later) for later in self._undone_by.get(change, ()))
+        return change not in self._gone
 
     def strength(self, lesson: Lesson) -> float:
         """Adapted preference or belief; the taught one where nothing moved it."""
@@ -95,18 +155,36 @@ class Policy:
         for ident in change.retracted:
             self._retracted_by.setdefault(ident, []).append(change.ident)
         for adapted in change.adapted:
+            if change.own:
+                self._supersede(adapted.lesson)
             self._adapted_by.setdefault(adapted.lesson, []).append(change.ident)
         for other in change.undone:
             self._undone_by.setdefault(other, []).append(change.ident)
         return _lessons(change)
 
-    def _touched(self, number: int) -> Iterator[int]:
-        """Lessons whose standing hangs on whether that change counts."""
-        change = self._changes.get(number)
-        if change is not None:
-            yield from _lessons(change)
-            for other in change.undone:
-                yield from self._touched(other)
+    def _supersede(self, ident: int) -> None:
+        """A new adaptation of the robot's own makes those before it needless."""
+        numbers = self._adapted_by.get(ident, [])
+        for number in [n for n in numbers if self._changes[n].own]:
+            numbers.remove(number)
+            change = self._changes[number]
+            left = tuple(a for a in change.adapted if a.lesson != ident)
+            self._changes[number] = replace(change, adapted=left)
+            if not (left or change.learned or change.retracted or change.undone):
+                del self._changes[number]
+
+    def _turn(self, undone: Iterable[int]) -> Iterator[int]:
+        """Work out anew which of these changes count, and of those they take back in turn; yields all that turned."""
+        pending = list(undone)
+        while pending:
+            number = pending.pop()
+            if number not in self._changes:
+                continue
+            counts = not any(map(self.counts, self._undone_by.get(number, ())))
+            if counts != self.counts(number):
+                (self._gone.discard if counts else self._gone.add)(number)
+                yield number
+                pending += self._changes[number].undone
 
     def _holds(self, ident: int) -> bool:
         taught = self._learned_by.get(ident)

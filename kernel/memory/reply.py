@@ -28,6 +28,7 @@ Reason = Literal[
     "not_achieved",  # no way known, or none left, to make something so
     "conflict",  # two parts of one play want the same thing; detail names it
     "no_room",
+    "not_yours",  # a prohibition of somebody else's: detail is who taught it
     "not_stored",  # a lesson could not be made durable; detail says why
     "not_so",  # a CHK failed; about says of what
     "not_known",  # a CHK or FIND could not find out; about says what
@@ -148,11 +149,73 @@ class Resumed:
     afresh: bool = False
 
 
-@dataclass(frozen=True, slots=True)
-class NotYet:
-    """Understood, but this version of the mind cannot do it: said honestly, nothing changes."""
+Why = Literal["contradicts", "both", "always_excepted", "only_itself"]
 
-    what: str
+
+@dataclass(frozen=True, slots=True)
+class AskKeep:
+    """What is to be done with a lesson that contradicts another one, or can never come to anything?"""
+
+    lesson: Lesson
+    why: Why
+    other: Lesson | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class KnownAlready:
+    """The lesson was in force before; nothing was stored."""
+
+    lesson: Lesson
+
+
+@dataclass(frozen=True, slots=True)
+class LessonDropped:
+    """The lesson asked about was not kept."""
+
+    lesson: Lesson
+
+
+@dataclass(frozen=True, slots=True)
+class Revised:
+    """One lesson took the place of others."""
+
+    lesson: Lesson
+    old: tuple[Lesson, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class Forgotten:
+    """Lessons taken out of force. about: the act or thing they were asked for by; none: there was nothing to forget."""
+
+    lessons: tuple[Lesson, ...]
+    about: Graphlet | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class TakenBack:
+    """A change was undone: lessons that are out of force now, that are in force again, and of their former strength."""
+
+    left: tuple[Lesson, ...] = ()
+    entered: tuple[Lesson, ...] = ()
+    moved: tuple[Lesson, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class NothingToDo:
+    """There is nothing to undo, revise, repeat or answer.
+
+    "motion": it was a motion, which cannot be undone; "inborn": a skill of the body's own, which cannot be forgotten.
+    """
+
+    what: Literal["undo", "revise", "repeat", "answer", "motion", "inborn"]
+
+
+@dataclass(frozen=True, slots=True)
+class FeedbackTaken:
+    """Praise or blame; lesson: whose preference it moved, if any."""
+
+    good: bool
+    lesson: Lesson | None = None
 
 
 Reply = (
@@ -168,6 +231,13 @@ Reply = (
     | Halted
     | Dropped
     | Resumed
-    | NotYet
     | Explanation
+    | AskKeep
+    | KnownAlready
+    | LessonDropped
+    | Revised
+    | Forgotten
+    | TakenBack
+    | NothingToDo
+    | FeedbackTaken
 )

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
+from dataclasses import replace
 
 from kernel.memory.lesson import Lesson, Rule
 from kernel.net.node import Net
@@ -27,7 +28,15 @@ class RuleBook:
     def remove(self, lesson: Lesson) -> None:
         """Take a rule lesson out of force."""
         if isinstance(lesson.content, Rule):
-            self._by_word[_key(lesson.content)].remove((lesson, lesson.content))
+            there = self._by_word[_key(lesson.content)]
+            there[:] = [pair for pair in there if pair[0].ident != lesson.ident]
+
+    def believe(self, lesson: Lesson, belief: float) -> None:
+        """From now on conclude by the rule with this belief; the taught one stays with the lesson."""
+        if isinstance(lesson.content, Rule):
+            there = self._by_word[_key(lesson.content)]
+            at = next(i for i, (known, _) in enumerate(there) if known.ident == lesson.ident)
+            there[at] = (lesson, replace(lesson.content, belief=belief))
 
     def candidates(self, net: Net) -> Iterator[tuple[Lesson, Rule]]:
         """Rules that might fire on what the net holds, in the order they were taught."""

@@ -216,12 +216,14 @@ class WorkingMemory:
 
     # -- who is there ----------------------------------------------------------------------
 
+    def person(self, name: str) -> Node:
+        """Whoever is known by that name, or becomes so."""
+        known = self._called(name)
+        return known[0] if known else self.net.new("user", name)
+
     def person_speaking(self, name: str) -> None:
         """Make the named person the current user; "" is somebody not identified."""
-        person = self._anyone
-        if name:
-            known = self._called(name)
-            person = known[0] if known else self.net.new("user", name)
+        person = self.person(name) if name else self._anyone
         if person is self.user:
             return
         self.net.unname(self.user, "me")

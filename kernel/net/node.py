@@ -108,6 +108,9 @@ class Net:
     def __iter__(self) -> Iterator[Node]:
         return iter(self._nodes)
 
+    def __contains__(self, node: Node) -> bool:
+        return node in self._nodes
+
     def with_word(self, word: str) -> Iterable[Node]:
         """Nodes that carry the word, told or concluded."""
         return self._by_word.get(word, ())

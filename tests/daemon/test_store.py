@@ -23,7 +23,7 @@ from kernel.memory.change import Adapted, Change
 from kernel.memory.lesson import Content, Lesson, Operator, Rule
 from kernel.memory.notation import canonical, write
 from kernel.memory.policy import Policy
-from kernel.net.graphlet import Graphlet, Sketch
+from kernel.net.graphlet import Graphlet, Sketch, Term
 
 WORDS = st.text("abcdefghijklmnopqrstuvwxyz-' äß", min_size=1, max_size=12).filter(
     lambda word: word == word.strip()
@@ -157,6 +157,17 @@ def test_a_change_is_stored_whole_or_not_at_all(tmp_path: Path) -> None:
     keep(store, a_lesson("two"))
     assert [lesson.words for lesson in store.load().lessons] == ["two"]
     store.close()
+
+
+def test_a_sentence_it_was_born_with_stays_forgotten() -> None:
+    """It has a number, though no row."""
+    store = Store.in_memory()
+    store.add(Change(retracted=(-77,)))
+    policy = Policy()
+    policy.bear(Lesson(-77, "fact", Graphlet((Term("obj-1", frozenset(("mary",))),), "obj-1")))
+    for change in store.load().changes:
+        policy.apply(change)
+    assert policy.lessons == {}
 
 
 def test_own_adaptations_are_bounded_and_the_newest_counts() -> None:

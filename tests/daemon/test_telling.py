@@ -11,8 +11,9 @@ from daemon.telling import from_record, from_reply, pose
 from grammars.replies import Said
 from kernel.action.call import BodyState
 from kernel.action.trace import Record
+from kernel.memory.lesson import Lesson
 from kernel.memory.meaning import Question
-from kernel.memory.reply import Answer, AskWhich, Failed, Halted, Met, Reply
+from kernel.memory.reply import Answer, AskKeep, AskWhich, Failed, Forgotten, Halted, Met, Reply
 from kernel.net.graphlet import Graphlet, Term
 
 
@@ -95,6 +96,24 @@ def test_a_question_is_an_event_of_its_own() -> None:
     assert told[0] == events.Question(t=2.0, text="Which block?")
     assert isinstance(told[1], events.Replied)
     assert told[1].ok
+
+
+def test_what_is_to_be_done_with_a_doubtful_lesson_is_a_question() -> None:
+    reply = AskKeep(Lesson(0, "fact", Graphlet((), "obj-1")), "only_itself")
+    question, told = from_reply(reply, Said("shown", "spoken"), 2.0)
+    assert question == events.Question(t=2.0, text="shown")
+    assert isinstance(told, events.Replied)
+    assert told.ok
+
+
+@pytest.mark.parametrize("found", [0, 1])
+def test_what_there_was_to_forget_is_acknowledged_and_nothing_is_not(found: int) -> None:
+    reply = Forgotten((Lesson(1, "fact", Graphlet((), "obj-1")),) * found)
+    told = list(from_reply(reply, Said("shown", "spoken"), 2.0))
+    assert [type(event) for event in told[:-1]] == [events.Acknowledged] * found
+    last = told[-1]
+    assert isinstance(last, events.Replied)
+    assert last.ok is bool(found)
 
 
 def test_event_names_are_those_of_service_md() -> None:

@@ -11,7 +11,7 @@ from grammars.knowledge import born
 from grammars.knowledge.compiling import NoLessonError, compiled, sentences
 from grammars.render import render
 from kernel.errors import NotationError
-from kernel.memory.lesson import Operator
+from kernel.memory.lesson import INNATE, Operator
 
 
 def test_the_compiled_file_is_fresh() -> None:
@@ -22,8 +22,16 @@ def test_the_compiled_file_is_fresh() -> None:
 def test_every_sentence_became_a_lesson_with_a_number_below_zero() -> None:
     lessons = born()
     assert [lesson.words for lesson in lessons] == list(sentences())
-    assert [lesson.ident for lesson in lessons] == [-n for n in range(1, len(lessons) + 1)]
+    assert len({lesson.ident for lesson in lessons}) == len(lessons)
+    assert all(INNATE < lesson.ident < 0 for lesson in lessons)
     assert all(not lesson.teacher for lesson in lessons)
+
+
+def test_the_number_of_a_lesson_is_its_own_whatever_stands_before_it() -> None:
+    """The journal of what was forgotten names lessons by number."""
+    kept = files(knowledge).joinpath(knowledge.COMPILED).read_text("utf8")
+    later = knowledge.lessons("# fact: mary is a girl\nako-1 -lex- girl\n\n" + kept)
+    assert [lesson.ident for lesson in later[1:]] == [lesson.ident for lesson in born()]
 
 
 def test_picking_up_is_grabbing_then_raising() -> None:

@@ -15,18 +15,25 @@ from kernel.memory.meaning import Question, Social
 from kernel.memory.notation import read
 from kernel.memory.reply import (
     Answer,
+    AskKeep,
     AskWhich,
     FactTaken,
     Failed,
+    FeedbackTaken,
+    Forgotten,
     Greeted,
     Halted,
+    KnownAlready,
+    LessonDropped,
     LessonTaken,
     Met,
-    NotYet,
+    NothingToDo,
     Reason,
     Refused,
     Reply,
+    Revised,
     Saw,
+    TakenBack,
 )
 from kernel.net.graphlet import Graphlet, Term
 
@@ -56,6 +63,15 @@ THE_COLOR = net("hq-3 -hq-> obj-1, ako-4 -lex- color, -ako-> hq-3, ako-2 -lex- b
 GO = net("act-1 -lex- go, -dest-> obj-2, ako-3 -lex- kitchen, -ako-> obj-2, obj-2 -ref- the")
 WIDDERSHINS = net("act-1 -lex- turn, dir-2 -lex- widdershins, -dir-> act-1")
 DRIVE = net("act-1 -lex- drive, dir-2 -lex- forward, -dir-> act-1")
+
+PEOPLE = read(
+    """if: ako-1 -lex- girl
+      -ako-> obj-2
+then: ako-3 -lex- person
+      -ako-> obj-2
+belief: 1.0"""
+)
+KEEP_IT = "Shall I keep it, or cancel?"
 
 NEVER_GRAB = operator(
     """trig: ANTE[ act-1 -lex- grab
@@ -135,16 +151,80 @@ GIRLS = Rule(
         pytest.param(Halted(True), "I have stopped.", "I have stopped.", id="halted"),
         pytest.param(Halted(False), "I was doing nothing.", "I was doing nothing.", id="idle"),
         pytest.param(
-            NotYet("undo"),
-            "I understood, but I can't take a lesson back yet.",
-            "I understood, but I can't take a lesson back yet.",
-            id="not yet",
+            AskKeep(Lesson(2, "rule", PEOPLE), "contradicts", Lesson(1, "prohibition", NEVER_GRAB)),
+            "That contradicts \"I will never grab a person, instead I will say 'I'm not allowed to'\"."
+            " Shall I keep both, replace it, or cancel?",
+            "That contradicts I will never grab a person, instead I will say 'I'm not allowed to'."
+            " Shall I keep both, replace it, or cancel?",
+            id="a contradiction",
         ),
-        pytest.param(
-            NotYet("questions about know_how"),
-            "I understood, but I can't answer that yet.",
-            "I understood, but I can't answer that yet.",
-            id="not yet, without the mind's own words",
+        *(
+            pytest.param(
+                AskKeep(Lesson(2, "rule", PEOPLE), why),
+                f"{told} {KEEP_IT}",
+                f"{told} {KEEP_IT}",
+                id=why,
+            )
+            for why, told in (
+                ("both", "That can never happen as it asks for something and its opposite."),
+                ("always_excepted", "That can never happen as its exception always holds."),
+                ("only_itself", "That would never end."),
+            )
+        ),
+        *(
+            pytest.param(reply, said, said, id=said)
+            for reply, said in (
+                (KnownAlready(Lesson(1, "rule", PEOPLE)), "I know that already."),
+                (
+                    KnownAlready(Lesson(1, "rule", PEOPLE, "", "mary")),
+                    "I know that already from Mary.",
+                ),
+                (LessonDropped(Lesson(1, "rule", PEOPLE)), "Okay, I will not keep that."),
+                (
+                    Revised(Lesson(1, "rule", PEOPLE)),
+                    "Okay. If something is a girl, it is a person.",
+                ),
+                (Forgotten((), net("act-1 -lex- salute")), "I don't know how to salute."),
+                (
+                    Forgotten((Lesson(1, "rule", PEOPLE),), net("act-1 -lex- salute")),
+                    "I have forgotten how to salute.",
+                ),
+                (Forgotten((), net("obj-1 -lex- mary")), "I know nothing about Mary."),
+                (
+                    Forgotten((Lesson(1, "fact", MARY_IS_A_PERSON),), net("obj-1 -lex- mary")),
+                    "I have forgotten what I was told about Mary.",
+                ),
+                (Forgotten(()), "I never learned that."),
+                (
+                    Forgotten((Lesson(1, "fact", MARY_IS_A_PERSON),)),
+                    "I have forgotten that Mary is a person.",
+                ),
+                (
+                    TakenBack((Lesson(1, "fact", MARY_IS_A_PERSON),)),
+                    "I take back: Mary is a person.",
+                ),
+                (
+                    TakenBack((), (Lesson(1, "fact", MARY_IS_A_PERSON),)),
+                    "That counts again: Mary is a person.",
+                ),
+                (
+                    TakenBack(
+                        (Lesson(1, "rule", PEOPLE),) * 3, (Lesson(1, "fact", MARY_IS_A_PERSON),)
+                    ),
+                    "I take back 3 lessons. That counts again: Mary is a person.",
+                ),
+                (TakenBack((Lesson(1, "fact", MARY_IS_A_PERSON),) * 4), "I take back 4 things."),
+                (TakenBack(moved=(Lesson(1, "rule", PEOPLE),)), "I take that back."),
+                (NothingToDo("undo"), "There is nothing to undo."),
+                (NothingToDo("revise"), "I don't know what to change."),
+                (NothingToDo("repeat"), "There is nothing to repeat."),
+                (NothingToDo("answer"), "I did not ask anything."),
+                (NothingToDo("motion"), "I can't undo a motion, tell me what to do instead."),
+                (NothingToDo("inborn"), "I can't forget what my body can do."),
+                (FeedbackTaken(True), "Thank you."),
+                (FeedbackTaken(False, Lesson(1, "rule", PEOPLE)), "I will do that less often."),
+                (FeedbackTaken(False), "I am sorry."),
+            )
         ),
     ],
 )
@@ -157,6 +237,8 @@ def test_reply(reply: Reply, shown: str, spoken: str) -> None:
     [
         (Failed(net("act-1 -lex- salute"), "no_way"), "I don't know how to salute."),
         (Failed(None, "no_way"), "I don't know how to do that."),
+        (Failed(None, "not_yours", "mary"), "Only Mary or my owner may change that."),
+        (Failed(None, "not_yours"), "Only my owner may change that."),
         (
             Failed(WIDDERSHINS, "not_grounded", "widdershins"),
             "I don't know the direction widdershins.",

@@ -14,9 +14,9 @@ from kernel.action.trace import Record
 from kernel.memory.change import Change
 from kernel.memory.exchange import Inputs, Outputs
 from kernel.memory.lesson import Content, Lesson, Operator, Rule
-from kernel.memory.meaning import Command, Fact, Heard, Identity, Meaning, Teach, Utterance
+from kernel.memory.meaning import Command, Control, Fact, Heard, Identity, Meaning, Teach, Utterance
 from kernel.memory.notation import read, read_chain
-from kernel.memory.reply import Failed, Reply
+from kernel.memory.reply import AskKeep, Failed, Reply
 from kernel.memory.settings import Settings
 from kernel.mind import Mind
 from kernel.net.graphlet import Graphlet
@@ -197,14 +197,18 @@ class Robot:
         self.settle()
         return self.moved[before:]
 
-    def teach(self, text: str, words: str = "", kind: Any = "") -> Lesson:
+    def teach(self, text: str, words: str = "", kind: Any = "", speaker: str = "") -> Lesson:
+        """Teach it, and keep it where the robot asks whether to."""
         content = read(notation(text))
         assert isinstance(content, Rule | Operator)
         if not kind:
             kind = "rule" if isinstance(content, Rule) else "procedure"
         before = len(self.mind.policy)
-        self.hear(Teach(kind, content), words or text)
+        self.hear(Teach(kind, content), words or text, speaker)
         self.settle()
+        if self.replies and isinstance(self.replies[-1], AskKeep):
+            self.hear(Control("keep"))
+            self.settle()
         assert len(self.mind.policy) == before + 1
         return self.mind.policy[-1]
 

@@ -9,8 +9,8 @@ import pytest
 from kernel.action.call import MoveGrip, MoveLift, Rotate, Speak, Travel
 from kernel.memory.exchange import Inputs
 from kernel.memory.lesson import Lesson
-from kernel.memory.meaning import Feedback, Social
-from kernel.memory.reply import Failed, Greeted, Halted, NotYet
+from kernel.memory.meaning import Social
+from kernel.memory.reply import Failed, Greeted, Halted
 from kernel.memory.settings import Settings
 from kernel.mind import Mind
 
@@ -356,12 +356,6 @@ def test_greetings_are_returned_by_name(robot: Any) -> None:
     robot.hear(Social("hello"))
     robot.settle()
     assert [r.name for r in robot.replies if isinstance(r, Greeted)] == ["", "rick"]
-
-
-def test_what_it_cannot_do_yet_it_says_and_does_not_do(robot: Any) -> None:
-    robot.hear(Feedback(good=True))
-    robot.settle()
-    assert [type(reply) for reply in robot.replies] == [NotYet]
 
 
 @pytest.mark.parametrize("tag", ["ALLOW", "NONSENSE"])

@@ -40,7 +40,7 @@ def test_a_verb_known_by_an_alias_only(robot: Questioned) -> None:
 
 def test_how_do_you(robot: Questioned) -> None:
     robot.taught("freddy", "to dance one way", DANCE)
-    robot.taught("mary", "to dance another way", DANCE)
+    robot.taught("mary", "to dance another way", DANCE.replace("left", "right"))
     assert lessons(robot, "how", "act-1 -lex- dance", "know_how") == [
         "to dance another way",
         "to dance one way",

@@ -56,3 +56,15 @@ def test_the_first_comes_as_often_as_its_weight_says() -> None:
     chance = random.Random(7)
     firsts = Counter(next(in_turn("ab", [0.6, 0.4], chance)) for _ in range(4000))
     assert firsts["a"] / 4000 == pytest.approx(0.6, abs=0.03)  # four standard deviations
+
+
+@pytest.mark.parametrize("sharpness", [0.0, 1.0, 3.0])
+def test_over_2000_choices_the_frequencies_are_those_of_the_weights(sharpness: float) -> None:
+    preferences, specificities = [1.2, 1.0, 0.6, 1.5], [3, 3, 3, 2]
+    raw = [p**sharpness * 10.0 ** (s - 3) for p, s in zip(preferences, specificities, strict=True)]
+    weights = choice_weights(preferences, specificities, sharpness)
+    chance = random.Random(11)
+    first = [next(in_turn(range(4), weights, chance)) for _ in range(2000)]
+    expected = [2000 * r / sum(raw) for r in raw]
+    chi_square = sum((first.count(n) - e) ** 2 / e for n, e in enumerate(expected))
+    assert chi_square < 16.27, "3 degrees of freedom, p = 0.001"

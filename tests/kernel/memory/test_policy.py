@@ -5,7 +5,7 @@ from hypothesis import strategies as st
 
 from kernel.memory.change import Adapted, Change
 from kernel.memory.lesson import Lesson
-from kernel.memory.policy import Policy
+from kernel.memory.policy import RETIRED_KEPT, Policy
 from kernel.net.graphlet import Graphlet, Term
 
 FACT = Graphlet((Term("hq-1", frozenset(("red",)), links=(("hq", "obj-2"),)),), "hq-1")
@@ -79,3 +79,46 @@ def test_what_it_was_born_with_can_be_retracted_and_restored() -> None:
     assert not policy.lessons
     policy.apply(Change(2, undone=(1,)))
     assert policy.lessons
+
+
+@given(journals())
+def test_a_preview_is_what_happens_and_changes_nothing(changes: list[Change]) -> None:
+    policy = Policy()
+    for change in changes:
+        foreseen = policy.preview(change)
+        assert policy.preview(change) == foreseen
+        assert policy.apply(change) == foreseen
+
+
+def test_an_undo_of_an_undo_is_an_undo_however_often() -> None:
+    policy = Policy()
+    policy.apply(Change(1, learned=(lesson(1),)))
+    for number in range(2, 300):
+        policy.apply(Change(number, undone=(number - 1,)))
+        assert (1 in policy.lessons) == (number % 2 == 1)
+
+
+def test_of_its_own_adaptations_the_last_one_is_remembered_and_a_persons_all() -> None:
+    policy = Policy()
+    policy.apply(Change(1, learned=(lesson(1), lesson(2))))
+    for number in range(2, 500):
+        moves = (Adapted(1, 1.0, number / 1000),) + ((Adapted(2, 1.0, 0.5),) * (number == 100))
+        policy.apply(Change(number, adapted=moves, own=number != 300))
+    assert len(list(policy.changes())) == 4  # the teaching, 100 for lesson 2, 300 by a person, 499
+    assert policy.strength(lesson(1)) == 0.499
+    assert policy.strength(lesson(2)) == 0.5
+    policy.apply(Change(500, undone=(300,)))
+    assert policy.strength(lesson(1)) == 0.499
+
+
+def test_lessons_out_of_force_are_bounded_oldest_out_first() -> None:
+    policy = Policy()
+    for number in range(1, 2 * RETIRED_KEPT + 1):
+        policy.apply(Change(2 * number, learned=(lesson(number),)))
+        policy.apply(Change(2 * number + 1, retracted=(number,)))
+    assert policy.known(RETIRED_KEPT) is None
+    assert policy.known(RETIRED_KEPT + 1) is not None
+    assert len(list(policy.changes())) == 2 * RETIRED_KEPT
+    newest = 4 * RETIRED_KEPT + 1
+    assert policy.apply(Change(newest + 1, undone=(newest,))).entered == (lesson(2 * RETIRED_KEPT),)
+    assert policy.apply(Change(newest + 2, undone=(3,))).entered == ()

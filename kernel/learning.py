@@ -1,0 +1,148 @@
+"""Taking a lesson or a fact: what is known already, what cannot go together, what may not be taught by whom."""
+
+from __future__ import annotations
+
+from collections.abc import Generator
+from dataclasses import replace
+from typing import Final
+
+from kernel.adapting import weigh
+from kernel.commons import Commons
+from kernel.memory.attention import Failure, Focus
+from kernel.memory.lesson import LEARN, Lesson, Operator
+from kernel.memory.likeness import covers, never_fires
+from kernel.memory.recent import PATIENCE_S, Asked
+from kernel.memory.reply import AskKeep, KnownAlready, LessonDropped, Revised, Why
+from kernel.net.graphlet import Graphlet, Sketch
+from kernel.net.match import matches
+from kernel.net.node import REMEMBERED
+
+Learning = Generator[None, None, bool]
+
+
+def _learning() -> Graphlet:
+    sketch = Sketch()
+    return sketch.graphlet(sketch.add("act", LEARN))
+
+
+LEARNING: Final = _learning()  # what ADD and EDIT are about, for operators on ANTE
+
+
+def learn(commons: Commons, focus: Focus) -> Learning:
+    """Learn the focus's lesson, once it is durable; whether nothing went wrong.
+
+    The same lesson again is known already. The same in another strength takes the place of the old one. Where it
+    contradicts another or can never come to anything, the person is asked; without an answer both are kept, as the
+    newer one wins ties.
+    """
+    lesson = focus.lesson
+    if lesson is None:
+        return False
+    if isinstance(lesson.content, Graphlet):
+        return (yield from _fact(commons, focus, lesson))
+    if (veto := _not_theirs(commons, focus, lesson)) is not None:
+        focus.failure = Failure("not_yours", None, veto.teacher)
+        return False
+    change = replace(focus.changing(), learned=(lesson,))
+    old = next(iter(commons.shelves.alike(lesson.content)), None)
+    if old is not None:
+        if old.strength == lesson.strength:
+            commons.replies.append(KnownAlready(old))
+            return True
+        change = replace(change, retracted=(old.ident,))
+    elif (doubt := _doubt(commons, lesson)) is not None:
+        answer = yield from _answer(commons, focus, Asked(lesson, *doubt, _until_s(commons)))
+        if answer == "cancel":
+            commons.replies.append(LessonDropped(lesson))
+            return True
+        other = doubt[1]
+        if answer == "replace" and other is not None:
+            if not commons.may(focus.by, other):
+                focus.failure = Failure("not_yours", None, other.teacher)
+                return False
+            change = replace(change, retracted=(other.ident,))
+    stored = yield from commons.commit(focus, change)
+    if stored and change.retracted:
+        commons.replies.append(Revised(lesson))
+    return stored
+
+
+def _fact(commons: Commons, focus: Focus, lesson: Lesson) -> Learning:
+    """Take it for true; keep it as a lesson if it is to last, else for the session."""
+    memory, saying = commons.memory, focus.saying
+    if saying is None:
+        return False
+    fact = saying.fact.fact
+    binding = memory.persons(fact, dict(saying.about))
+    weigh(commons, focus, fact, binding)
+    opposite = {
+        found[fact.main] for found in matches(fact.denied(), memory.net, REMEMBERED, binding, 0.0)
+    }
+    retracted = tuple(n for n, node in commons.facts.items() if node in opposite)
+    _, focus.told = memory.tell(fact, dict(saying.about))
+    commons.record("fact", focus, text=" ".join(sorted(fact.words())))
+    if focus.told[0] in commons.facts.values():
+        return True
+    if not _lasts(fact, saying.fact.finds):
+        lesson = replace(lesson, ident=commons.session_number())
+        commons.note(lesson.ident, saying)
+    elif known := commons.shelves.alike(lesson.content):
+        commons.facts[known[0].ident] = focus.told[0]  # in force, though memory had lost it
+        return True
+    change = replace(focus.changing(), learned=(lesson,), retracted=retracted)
+    return (yield from commons.commit(focus, change))
+
+
+def _lasts(fact: Graphlet, finds: tuple[Graphlet, ...]) -> bool:
+    """Facts of kind about a named individual are kept like lessons (mind.md)."""
+    named = {t.name for g in (*finds, fact) for t in g.terms if t.kind == "obj" and t.lex}
+    named -= {t.name for g in (*finds, fact) for t in g.terms if t.lex & {"you", "me"}}
+    main = next((t for t in fact.terms if t.name == fact.main), None)
+    return main is not None and any(role == "ako" and to in named for role, to in main.links)
+
+
+def _doubt(commons: Commons, lesson: Lesson) -> tuple[Why, Lesson | None] | None:
+    """Why it should not be kept without asking, and because of which other lesson."""
+    if (never := never_fires(lesson.content)) is not None:
+        return never, None
+    other = commons.shelves.contradicting(lesson.content)
+    return None if other is None else ("contradicts", other)
+
+
+def _not_theirs(commons: Commons, focus: Focus, lesson: Lesson) -> Lesson | None:
+    """The prohibition that this permission would lift although its speaker may not.
+
+    Only what the two say of themselves counts here; what inference adds is looked at when acting (kernel/selecting.py).
+    """
+    operator = lesson.content
+    if not (isinstance(operator, Operator) and operator.trigger.tag == "ALLOW"):
+        return None
+    allowed = operator.trigger.graphlet
+    for veto in commons.lessons.values() if commons.settings.owner else ():
+        if isinstance(veto.content, Operator) and veto.content.prohibits:
+            forbidden = veto.content.trigger.graphlet
+            if allowed is None or forbidden is None or commons.may(focus.by, veto):
+                continue
+            if covers(forbidden, (allowed,), allowed) or covers(allowed, (forbidden,), forbidden):
+                return veto
+    return None
+
+
+def _until_s(commons: Commons) -> float:
+    return commons.tick.now_s + PATIENCE_S
+
+
+def _answer(commons: Commons, focus: Focus, asked: Asked) -> Generator[None, None, str]:
+    """Ask, and wait for the answer: until another utterance, a stop, or time closes the question."""
+    commons.asked = asked
+    commons.replies.append(AskKeep(asked.lesson, asked.why, asked.other))
+    focus.waiting = True
+    try:
+        while commons.asked is asked and not asked.answer and commons.tick.now_s < asked.until_s:
+            focus.waits.add("answer")
+            yield
+    finally:
+        focus.waiting = False
+        if commons.asked is asked:
+            commons.asked = None
+    return asked.answer

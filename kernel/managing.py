@@ -1,0 +1,221 @@
+"""Managing what was taught: forgetting, undoing, answering what is to be done with a doubtful lesson (all ours).
+
+Every one of these is a change like teaching: it becomes durable as a whole, and can be undone itself.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Generator, Iterable
+from dataclasses import replace
+from datetime import UTC, date, datetime
+
+from kernel.action.step import Run
+from kernel.action.verdict import Verdict
+from kernel.commons import Commons
+from kernel.memory.attention import Failure, Focus
+from kernel.memory.change import LEAST, SESSION, Adapted, Change
+from kernel.memory.lesson import INNATE, Lesson, Operator
+from kernel.memory.likeness import covers
+from kernel.memory.meaning import Control, Fact, Meaning, Teach
+from kernel.memory.notation import canonical
+from kernel.memory.policy import Shift
+from kernel.memory.reply import Forgotten, NothingToDo, TakenBack
+from kernel.net.graphlet import Graphlet
+
+
+def undo(commons: Commons, focus: Focus) -> Run:
+    """Take back the newest change that counts and is a person's; an undo is one too, so "undo that" twice changes
+    nothing. A motion cannot be undone."""
+    yield from settled(commons, focus)
+    if commons.recent.thing == "motion":
+        commons.replies.append(NothingToDo("motion"))
+        return Verdict.SUCCEEDED
+    for change in list(commons.policy.changes()):
+        if not change.own and commons.policy.counts(change.ident):
+            taking = replace(focus.changing(), undone=_undoing(commons, change))
+            if change.adapted or commons.policy.preview(taking) != Shift():
+                return (yield from _take_back(commons, focus, taking))
+    commons.replies.append(NothingToDo("undo"))
+    return Verdict.SUCCEEDED
+
+
+def settled(commons: Commons, focus: Focus) -> Generator[None, None, None]:
+    """Wait for what was said just before: until it has been thought about, and the store has answered."""
+    focus.waits.add("next tick")
+    yield
+    while commons.pending:
+        focus.waits.add("store")
+        yield
+
+
+def _undoing(commons: Commons, change: Change) -> tuple[int, ...]:
+    """What to take back so that the change does not count: itself; where it takes back mere undos, what these took
+    back. So undoing to and fro makes no chain without end."""
+    known = {c.ident: c for c in commons.policy.changes()} if change.undone else {}
+    undos = [known[n] for n in change.undone if n in known]
+    if undos and not change.teaches and all(u.undone and not u.teaches for u in undos):
+        return tuple(n for u in undos for n in u.undone)
+    return (change.ident,)
+
+
+def undo_today(commons: Commons, focus: Focus) -> Run:
+    """Back to what was in force when the day began; days are those of the robot's place."""
+    yield from settled(commons, focus)
+    change = focus.changing()
+    offset_s = commons.settings.utc_offset_s
+    today = _day(change.at_s, offset_s)
+    undone = [
+        c.ident for c in commons.policy.changes() if not c.own and _day(c.at_s, offset_s) == today
+    ]
+    return (yield from _take_back(commons, focus, replace(change, undone=tuple(undone))))
+
+
+def _day(at_s: float, offset_s: float) -> date:
+    return datetime.fromtimestamp(at_s + offset_s, UTC).date()
+
+
+def _take_back(commons: Commons, focus: Focus, change: Change) -> Run:
+    change = replace(change, adapted=_amends(commons, change))
+    shift = commons.policy.preview(change)
+    if shift == Shift():
+        commons.replies.append(NothingToDo("undo"))
+        return Verdict.SUCCEEDED
+    chunks = with_chunks(commons, shift.left)[len(shift.left) :]
+    change = replace(change, retracted=tuple(chunk.ident for chunk in chunks))
+    if not (yield from changed(commons, focus, change, shift.left)):
+        return Verdict.FAILED
+    commons.replies.append(TakenBack(shift.left, shift.entered, shift.moved))
+    return Verdict.SUCCEEDED
+
+
+def _amends(commons: Commons, change: Change) -> tuple[Adapted, ...]:
+    """Moves that make up for praise and blame being taken back where the robot has moved the strength since; none of
+    them leads above what was taught."""
+    policy = commons.policy
+    moved = {lesson.ident for lesson in policy.preview(change).moved}
+    shift: dict[int, float] = {}
+    for earlier in policy.changes():
+        if earlier.ident in change.undone and policy.counts(earlier.ident):
+            for move in earlier.adapted:
+                if move.lesson in commons.lessons and move.lesson not in moved:
+                    shift[move.lesson] = shift.get(move.lesson, 0.0) + move.before - move.after
+    amends = []
+    for ident, by in shift.items():
+        now, taught = policy.strength(commons.lessons[ident]), commons.lessons[ident].strength
+        amends.append(Adapted(ident, now, max(LEAST, min(max(now, taught), now + by))))
+    return tuple(amends)
+
+
+def changed(
+    commons: Commons, focus: Focus, change: Change, leaving: Iterable[Lesson]
+) -> Generator[None, None, bool]:
+    """Make a change that takes these lessons out of force; False, with the reason, where the speaker may not."""
+    for lesson in leaving:
+        if not commons.may(focus.by, lesson):
+            focus.failure = Failure("not_yours", None, lesson.teacher)
+            return False
+    return (yield from commons.commit(focus, change))
+
+
+def forget(commons: Commons, focus: Focus, control: Control) -> Run:
+    """Take lessons out of force: how to do something, what was told of something, a lesson told again, the last one.
+
+    What the robot made of them by itself goes with them. The body's own skills cannot be forgotten.
+    """
+    yield from settled(commons, focus)
+    about = control.about
+    if control.lessons:
+        return (yield from _by_number(commons, focus, control.lessons))
+    if control.told is not None:
+        found = _told(commons, control.told)
+    elif about is None:
+        found = _last(commons)
+    elif about.main.startswith("act"):
+        found = _ways(commons, about)
+        if any(lesson.ident <= INNATE for lesson in found):
+            found = [lesson for lesson in found if lesson.ident > INNATE]
+            if not found:
+                commons.replies.append(NothingToDo("inborn"))
+                return Verdict.SUCCEEDED
+    else:
+        found = [
+            lesson
+            for lesson in commons.lessons.values()
+            if isinstance(lesson.content, Graphlet) and covers(about, (lesson.content,))
+        ]
+    if found:
+        gone = with_chunks(commons, found)
+        change = replace(focus.changing(), retracted=tuple(x.ident for x in gone))
+        if not (yield from changed(commons, focus, change, gone)):
+            return Verdict.FAILED
+    commons.replies.append(Forgotten(tuple(found), about))
+    return Verdict.SUCCEEDED
+
+
+def _by_number(commons: Commons, focus: Focus, numbers: tuple[int, ...]) -> Run:
+    """Lessons as the store numbers them; one that rests is known to the store alone."""
+    wanted = tuple(n for n in dict.fromkeys(numbers) if 0 < n < SESSION)
+    found = [commons.lessons[n] for n in wanted if n in commons.lessons]
+    gone = with_chunks(commons, found)
+    retracted = dict.fromkeys((*wanted, *(lesson.ident for lesson in gone)))
+    change = replace(focus.changing(), retracted=tuple(retracted))
+    if not (yield from changed(commons, focus, change, gone)):
+        return Verdict.FAILED
+    commons.replies.append(Forgotten(tuple(found)))
+    return Verdict.SUCCEEDED
+
+
+def _ways(commons: Commons, act: Graphlet) -> list[Lesson]:
+    """Operators on doing that, or something more specific."""
+    return [
+        lesson
+        for lesson in commons.lessons.values()
+        if isinstance(lesson.content, Operator)
+        and lesson.content.trigger.tag == "DO"
+        and (trigger := lesson.content.trigger.graphlet) is not None
+        and covers(act, (trigger,), trigger)
+    ]
+
+
+def _told(commons: Commons, told: Teach | Fact) -> list[Lesson]:
+    """Lessons in force that say the same, in whatever strength."""
+    content = told.content if isinstance(told, Teach) else whole(told)
+    return commons.shelves.alike(content)
+
+
+def _last(commons: Commons) -> list[Lesson]:
+    """What the newest change taught of which something is in force."""
+    for change in commons.policy.changes():
+        found = [lesson for lesson in change.learned if lesson.ident in commons.lessons]
+        if found and not change.own:
+            return found
+    return []
+
+
+def with_chunks(commons: Commons, lessons: Iterable[Lesson]) -> list[Lesson]:
+    """With what the robot made of them by itself, and of that in turn."""
+    gone = {lesson.ident: lesson for lesson in lessons}
+    while True:
+        more = {
+            lesson.ident: lesson
+            for lesson in commons.lessons.values()
+            if lesson.ident not in gone and gone.keys() & set(lesson.origins)
+        }
+        if not more:
+            return list(gone.values())
+        gone |= more
+
+
+def whole(fact: Fact) -> Graphlet:
+    """The fact with the descriptions of what it is about, as it is kept."""
+    terms = {t.name: t for g in (*fact.finds, fact.fact) for t in g.terms}
+    return canonical(Graphlet(tuple(terms.values()), fact.fact.main))
+
+
+def answered(commons: Commons, meaning: Meaning) -> bool:
+    """Pass an answer on to the open question; False for what is no answer."""
+    if not (isinstance(meaning, Control) and meaning.act in ("keep", "replace", "cancel")):
+        return False
+    if commons.asked is not None:
+        commons.asked.answer = meaning.act
+    return commons.asked is not None

@@ -1,0 +1,175 @@
+"""Corrections of what was taught or commanded, as changes of chains. Pure; ours, the paper has no revision."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable
+from dataclasses import replace
+
+from kernel.action.chain import Chain, Directive, Loop, Part, Play
+from kernel.memory.lesson import Operator
+from kernel.memory.likeness import covers
+from kernel.memory.notation import mapped
+from kernel.net.graphlet import Graphlet, Term
+
+ONE = frozenset(("one",))  # "the blue one": of whatever kind the other one is
+
+
+def with_other_step(operator: Operator, old: Graphlet, new: Chain) -> Operator | None:
+    """The operator with `new` in the place of every step that the description `old` fits; None if none does."""
+    drawn = tuple(_graphlets(operator))
+    return _with(operator, lambda step: covers(old, drawn, step), new)
+
+
+def with_other_end(operator: Operator, new: Chain) -> Operator | None:
+    """The operator with `new` in the place of its last step; None if it has no step."""
+    steps = [d for d in operator.chain.directives() if d.tag == "DO"]
+    if not steps:
+        return None
+    return _with(operator, lambda step: step is steps[-1].graphlet, new)
+
+
+def with_more(operator: Operator, more: Chain, *, last: bool = False) -> Operator:
+    """The operator with further steps at its beginning, or at its end."""
+    more = _fresh(more, _graphlets(operator))
+    plays = (*operator.chain.plays, *more.plays) if last else (*more.plays, *operator.chain.plays)
+    return replace(operator, chain=Chain(plays))
+
+
+def has_step(chain: Chain, old: Graphlet) -> bool:
+    """Whether the description fits one of its steps."""
+    graphlets = [d.graphlet for d in chain.directives() if d.graphlet]
+    steps = [d.graphlet for d in chain.directives() if d.tag == "DO" and d.graphlet]
+    return any(covers(old, graphlets, step) for step in steps)
+
+
+def with_other_thing(chain: Chain, old: Graphlet | None, new: Graphlet) -> Chain | None:
+    """The chain with another thing looked up in the place of the one that `old` describes, or of the last one."""
+    finds = [d.graphlet for d in chain.directives() if d.tag == "FIND" and d.graphlet]
+    if old is not None:
+        wanted = _kindless(old)
+        finds = [g for g in finds if covers(wanted, (g,), g)]
+    if not finds:
+        return None
+    before = finds[-1]
+    renamed = _fresh_graphlet(new, _chain_graphlets(chain))
+    renamed = renamed.renamed({renamed.main: before.main})
+    kinds = [t for t in before if any(role == "ako" for role, _ in t.links)]
+    terms = [t for t in renamed if t.lex != ONE]
+    if len(terms) < len(renamed.terms):
+        terms += kinds
+    find = Directive("FIND", Graphlet(tuple(terms), before.main))
+    return _mapped(chain, lambda d: (find,) if d.graphlet is before else None)
+
+
+def _kindless(described: Graphlet) -> Graphlet:
+    return Graphlet(tuple(t for t in described if t.lex != ONE), described.main)
+
+
+def _with(operator: Operator, is_old: Callable[[Graphlet], bool], new: Chain) -> Operator | None:
+    new = _fresh(new, _graphlets(operator))
+    gone: list[Graphlet] = []
+
+    def swap(directive: Directive) -> tuple[Part, ...] | None:
+        step = directive.graphlet
+        if directive.tag != "DO" or step is None or not is_old(step):
+            return None
+        gone.append(step)
+        return tuple(_parts(_heir(new, step)))
+
+    chain = _mapped(operator.chain, swap)
+    return replace(operator, chain=_pruned(chain, gone)) if gone else None
+
+
+def _parts(chain: Chain) -> Iterable[Part]:
+    """A chain as what may stand in the place of one step."""
+    for play in chain.plays:
+        yield play.required[0] if len(play.required) == 1 and not play.auxiliary else Chain((play,))
+
+
+def _mapped(chain: Chain, swap: Callable[[Directive], tuple[Part, ...] | None]) -> Chain:
+    """The chain with directives replaced: in a play of their own by plays, beside others by a chain of their own."""
+    plays: list[Play] = []
+    for play in chain.plays:
+        alone = play.required[0] if len(play.required) == 1 and not play.auxiliary else None
+        swapped = swap(alone) if isinstance(alone, Directive) else None
+        if swapped is not None:
+            plays += [Play((part,)) for part in swapped]
+            continue
+        plays.append(Play(_beside(play.required, swap), _beside(play.auxiliary, swap)))
+    return Chain(tuple(plays))
+
+
+def _beside(
+    parts: tuple[Part, ...], swap: Callable[[Directive], tuple[Part, ...] | None]
+) -> tuple[Part, ...]:
+    done: list[Part] = []
+    for part in parts:
+        if isinstance(part, Chain):
+            done.append(_mapped(part, swap))
+        elif isinstance(part, Loop):
+            done.append(replace(part, body=_mapped(part.body, swap)))
+        elif (swapped := swap(part)) is None:
+            done.append(part)
+        else:
+            done.append(
+                swapped[0] if len(swapped) == 1 else Chain(tuple(Play((p,)) for p in swapped))
+            )
+    return tuple(done)
+
+
+def _heir(new: Chain, old: Graphlet) -> Chain:
+    """A single new step of the same verb keeps what it does not mention: whom the words are said to."""
+    steps = [d.graphlet for d in new.directives() if d.tag == "DO" and d.graphlet]
+    before = {t.name: t for t in old}.get(old.main)
+    if len(steps) != 1 or before is None:
+        return new
+    (step,) = steps
+    act = step.term(step.main)
+    if act.lex != before.lex:
+        return new
+    missing = tuple(link for link in before.links if link[0] not in dict(act.links))
+    heir = replace(act, links=tuple(sorted((*act.links, *missing))))
+    whole = Graphlet(tuple(heir if t is act else t for t in step), step.main)
+    return _mapped(new, lambda d: (Directive("DO", whole),) if d.graphlet is step else None)
+
+
+def _pruned(chain: Chain, gone: list[Graphlet]) -> Chain:
+    """Without the look-ups that only the steps that are gone needed."""
+    was = {name for graphlet in gone for name in graphlet.mentioned}
+    finds = [d.graphlet for d in chain.directives() if d.tag == "FIND"]
+    needed = {name for g in chain.graphlets() if g not in finds for name in g.mentioned}
+    idle = {
+        d.graphlet.main
+        for d in chain.directives()
+        if d.tag == "FIND" and d.graphlet and d.graphlet.main in was - needed
+    }
+    return _mapped(
+        chain,
+        lambda d: () if d.tag == "FIND" and d.graphlet and d.graphlet.main in idle else None,
+    )
+
+
+def _graphlets(operator: Operator) -> list[Graphlet]:
+    found = [operator.trigger.graphlet, *operator.enablement, *operator.unless]
+    return [g for g in found if g is not None] + _chain_graphlets(operator.chain)
+
+
+def _chain_graphlets(chain: Chain) -> list[Graphlet]:
+    return list(chain.graphlets())
+
+
+def _fresh(chain: Chain, taken: Iterable[Graphlet]) -> Chain:
+    """The chain with names that nothing else in the operator uses."""
+    taken = list(taken)
+    fresh: Chain = mapped(chain, lambda graphlet: _fresh_graphlet(graphlet, taken))
+    return fresh
+
+
+def _fresh_graphlet(graphlet: Graphlet, taken: Iterable[Graphlet]) -> Graphlet:
+    highest = max((_number(name) for other in taken for name in other.mentioned), default=0)
+    names = {n: f"{Term(n).kind}-{_number(n) + highest}" for n in graphlet.mentioned}
+    return graphlet.renamed(names)
+
+
+def _number(name: str) -> int:
+    return int(name.rpartition("-")[2])

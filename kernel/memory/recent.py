@@ -1,0 +1,71 @@
+"""What "that" means to a person who praises, corrects, repeats or undoes (all ours)."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Final, Literal
+
+from kernel.memory.lesson import Lesson
+from kernel.memory.meaning import Command, Fact
+from kernel.memory.reply import FeedbackTaken, Greeted, Reply, Why
+from kernel.net.node import Node
+
+if TYPE_CHECKING:
+    from kernel.memory.attention import Focus
+
+PATIENCE_S: Final = 30.0  # mind.md: how long an open question waits
+
+
+@dataclass(frozen=True, slots=True)
+class Saying:
+    """A fact as it was told, and the things that it was about."""
+
+    fact: Fact
+    about: Mapping[str, Node]
+
+
+@dataclass(slots=True, eq=False)
+class Asked:
+    """A question that the robot has put and that is open: what to do with a lesson.
+
+    Attributes:
+        until_s: it is closed then.
+        answer: "" while it is open.
+    """
+
+    lesson: Lesson
+    why: Why
+    other: Lesson | None
+    until_s: float
+    answer: Literal["", "keep", "replace", "cancel"] = ""
+
+
+@dataclass(slots=True)
+class Recent:
+    """The last things that were done.
+
+    Attributes:
+        thing: the last thing: a command, one that has moved the body, or a change of what is known.
+        command: the last one, and its focus.
+        deed: the operator that the last DO or reaction was begun with.
+        reply: the last one that said something; answered: it came after the last command.
+    """
+
+    thing: Literal["", "command", "motion", "change"] = ""
+    command: Command | None = None
+    focus: Focus | None = None
+    deed: Lesson | None = None
+    reply: Reply | None = None
+    answered: bool = False
+
+    def begin(self, command: Command, focus: Focus) -> None:
+        """A command is being carried out."""
+        self.thing, self.command, self.focus = "command", command, focus
+        self.deed, self.answered = None, False
+
+    def say(self, replies: list[Reply]) -> None:
+        """Something was replied; manners and thanks are nothing to say again."""
+        for reply in replies:
+            if not isinstance(reply, Greeted | FeedbackTaken):
+                self.reply, self.answered = reply, True

@@ -1,0 +1,173 @@
+"""Revision: a correction of what was taught, or of what was just commanded (all ours).
+
+Which lesson is meant: the one named ("when you wiggle ..."); else that of the last deed or the last one taught,
+whichever was later; else, where the step to be replaced is named, the newest one that has it. A correction that fits
+the last command and no lesson behind it is done now, instead of it, and lowers the operator that the command chose.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import replace
+
+from kernel.action.chain import Chain, Directive
+from kernel.action.step import Run
+from kernel.action.verdict import Verdict
+from kernel.adapting import adapts, feedback_change
+from kernel.commons import Commons
+from kernel.learning import LEARNING
+from kernel.managing import with_chunks
+from kernel.memory.attention import Failure, Focus
+from kernel.memory.editing import (
+    has_step,
+    with_more,
+    with_other_end,
+    with_other_step,
+    with_other_thing,
+)
+from kernel.memory.lesson import INNATE, Lesson, Operator
+from kernel.memory.likeness import covers
+from kernel.memory.meaning import Command, Revision
+from kernel.memory.reply import NothingToDo, Revised
+from kernel.net.graphlet import Graphlet
+from kernel.reporting import commanded
+from kernel.running import Frame
+
+
+def revise(commons: Commons, focus: Focus, revision: Revision) -> Run:
+    """Change the lesson or do the other thing; where there is nothing to correct, say so."""
+    if all(d.tag == "FIND" for d in revision.chain.directives()):
+        return (yield from _other_thing(commons, focus, revision))
+    while commons.pending:  # what is corrected may just have been taught
+        focus.waits.add("store")
+        yield
+    edited = _edited(commons, revision)
+    if edited is not None:
+        return (yield from _edit(commons, focus, *edited))
+    command = commons.recent.command
+    fits = revision.instead_of is None or (
+        command is not None and has_step(command.chain, revision.instead_of)
+    )
+    if command is None or revision.of is not None or not fits:
+        return _nothing(commons)
+    return (yield from _instead(commons, focus, revision.chain))
+
+
+def _nothing(commons: Commons) -> Verdict:
+    commons.replies.append(NothingToDo("revise"))
+    return Verdict.SUCCEEDED
+
+
+def _edited(commons: Commons, revision: Revision) -> tuple[Lesson, Operator] | None:
+    """The lesson that is meant, and what it becomes; None where it is the last command that is meant, or nothing."""
+    old, recent = revision.instead_of, commons.recent
+    commanded = recent.thing in ("command", "motion")
+    if revision.of is not None:
+        for lesson, operator in _named(commons, revision.of):
+            if old is None:
+                return lesson, with_more(operator, revision.chain, last=revision.last)
+            if (changed := with_other_step(operator, old, revision.chain)) is not None:
+                return lesson, changed
+        return None
+    if old is None:
+        taught = None if commanded else _taught(commons)
+        if taught is None or not isinstance(taught.content, Operator):
+            return None
+        changed = with_other_end(taught.content, revision.chain)
+        return None if changed is None else (taught, changed)
+    likely = [recent.deed, _taught(commons)]
+    for guess in likely if commanded else reversed(likely):
+        if (found := _with_step(commons, guess, old, revision.chain)) is not None:
+            return found
+    if commanded and recent.command is not None and has_step(recent.command.chain, old):
+        return None
+    for lesson in reversed(list(commons.lessons.values())):
+        if (found := _with_step(commons, lesson, old, revision.chain)) is not None:
+            return found
+    return None
+
+
+def _with_step(
+    commons: Commons, lesson: Lesson | None, old: Graphlet, new: Chain
+) -> tuple[Lesson, Operator] | None:
+    if lesson is None or lesson.ident <= INNATE or lesson.ident not in commons.lessons:
+        return None
+    if not isinstance(lesson.content, Operator):
+        return None
+    changed = with_other_step(lesson.content, old, new)
+    return None if changed is None else (lesson, changed)
+
+
+def _named(commons: Commons, act: Graphlet) -> Iterator[tuple[Lesson, Operator]]:
+    """Taught ways of doing that, newest first."""
+    for lesson in reversed(list(commons.lessons.values())):
+        operator = lesson.content
+        if lesson.ident <= INNATE or not isinstance(operator, Operator):
+            continue
+        trigger = operator.trigger.graphlet
+        if operator.trigger.tag == "DO" and trigger and covers(act, (trigger,), trigger):
+            yield lesson, operator
+
+
+def _taught(commons: Commons) -> Lesson | None:
+    """The last lesson a person taught, if it is in force."""
+    for change in commons.policy.changes():
+        for lesson in change.learned:
+            if not change.own and lesson.ident in commons.lessons:
+                return lesson
+    return None
+
+
+def _edit(commons: Commons, focus: Focus, old: Lesson, operator: Operator) -> Run:
+    """One change: the old lesson goes, the new one comes, with the words and the teacher of the revision."""
+    if not commons.may(focus.by, old):
+        focus.failure = Failure("not_yours", None, old.teacher)
+        return Verdict.FAILED
+    change = focus.changing()
+    new = Lesson(0, old.kind, operator, change.words, change.by, change.at_s)
+    gone = tuple(lesson.ident for lesson in with_chunks(commons, [old]))
+    focus.change = replace(change, learned=(new,), retracted=gone)
+    verdict = yield from Frame(commons, focus, {}).directive(Directive("EDIT", LEARNING))
+    if verdict.ok:
+        commons.replies.append(Revised(new, (old,)))
+    return verdict
+
+
+def _other_thing(commons: Commons, focus: Focus, revision: Revision) -> Run:
+    """The last command again, with the other thing."""
+    command = commons.recent.command
+    finds = [d.graphlet for d in revision.chain.directives() if d.graphlet]
+    chain = None
+    if command is not None and finds:
+        chain = with_other_thing(command.chain, revision.instead_of, finds[-1])
+    if chain is None:
+        return _nothing(commons)
+    return (yield from _instead(commons, focus, chain))
+
+
+def _instead(commons: Commons, focus: Focus, chain: Chain) -> Run:
+    """End what the last command is still doing, blame the way it chose, and do this."""
+    recent = commons.recent
+    if recent.focus is not None and recent.focus.ended_s is None:
+        recent.focus.dismissed = True
+    if (deed := recent.deed) is not None and adapts(deed) and deed.ident in commons.lessons:
+        yield from commons.commit(focus, feedback_change(commons, focus, deed, good=False))
+    return (yield from obey(commons, focus, Command(chain)))
+
+
+def obey(commons: Commons, focus: Focus, command: Command) -> Run:
+    """Carry a command out; from now on it is the last one."""
+    commons.recent.begin(command, focus)
+    return (yield from commanded(Frame(commons, focus, {}), command.chain))
+
+
+def repeat(commons: Commons, focus: Focus) -> Run:
+    """Say or do the last thing again, whichever came last."""
+    recent = commons.recent
+    if recent.reply is not None and recent.answered:
+        commons.replies.append(recent.reply)
+    elif recent.command is not None:
+        return (yield from obey(commons, focus, recent.command))
+    else:
+        commons.replies.append(NothingToDo("repeat"))
+    return Verdict.SUCCEEDED
