@@ -71,6 +71,7 @@ class Lesson:
         words: the teacher's exact words: this is evidence.
         teacher: name of the person, "" if not identified.
         at_s: wall time, s since 1970.
+        origins: numbers of the rules it was made from; not empty means that the robot learned it by itself.
     """
 
     ident: int
@@ -79,3 +80,4 @@ class Lesson:
     words: str = ""
     teacher: str = ""
     at_s: float = 0.0
+    origins: tuple[int, ...] = ()
