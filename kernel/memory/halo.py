@@ -101,11 +101,11 @@ class Halo:
     def _seed(self, changes: Changes) -> None:
         """Try the rules that may fire anew."""
         nodes = dict.fromkeys((*changes.extended, *changes.altered))
-        for node in list(nodes):
+        for node in [n for n in nodes if n in self._net]:
             if node in changes.altered or not node.lex:
                 nodes |= {other: None for _, other in (*node.links, *node.into)}
         for node in nodes:
-            if node.level <= BAND_1 and (words := node.words()):
+            if node.level <= BAND_1 and node in self._net and (words := node.words()):
                 for rule in self._rules.concerned(words, self._net):
                     for term in rule.rule.condition.terms:
                         if term.lex and term.lex <= words:

@@ -243,6 +243,8 @@ class Net:
         self.changes.dropped[node] = None
 
     def _word_gone(self, node: Node, word: str) -> None:
+        if node not in self._nodes:
+            return
         self.changes.altered[node] = None
         self.changes.words[word] = None
         if word not in node.lex and word not in node.halo_lex:
