@@ -13,8 +13,8 @@ from typing import Final
 
 from kernel.memory.instance import Conclusion, Instance, Key, Plan, telling_words
 from kernel.memory.rules import RuleBook, RuleInForce
-from kernel.net.match import holds, matches
-from kernel.net.node import BAND_1, BAND_2, WORKING, Changes, Net, Node, instantiate
+from kernel.net.match import holds, solutions
+from kernel.net.node import BAND_1, BAND_2, Changes, Net, Node
 
 PREMISE_THRESHOLD: Final = 0.2  # mind.md: caution counts premises down to here; others look at the conclusion's belief
 
@@ -65,7 +65,8 @@ class Halo:
                 self._unsettle(instance)
         self._withdraw(self._resting_on((*changes.dropped, *changes.altered), BAND_1))
         for rule in rules.added:
-            self._match(rule)
+            if rules.is_possible(rule, self._net):
+                self._match(rule)
         rules.added.clear()
         rules.removed.clear()
         rules.weighed.clear()
@@ -85,9 +86,7 @@ class Halo:
         """Derive everything afresh."""
         for changed in (self._rules.added, self._rules.removed, self._rules.weighed):
             changed.clear()
-        self._withdraw(list(self._instances.values()))
-        self._settle(BAND_1)
-        self._settle(BAND_2)
+        self._clear()
         self._net.take_changes()
         for rule in self._rules.possible(self._net):
             self._match(rule)
@@ -97,6 +96,21 @@ class Halo:
         self._review(telling_words(changes))
         self._settle(BAND_2)
         self._net.take_changes()
+
+    def _clear(self) -> None:
+        """Conclude nothing."""
+        for conclusion in self._conclusions.values():
+            self._retract(conclusion)
+        for index in (
+            self._instances,
+            self._by_rule,
+            self._by_node,
+            self._by_exception,
+            self._conclusions,
+            self._by_word,
+            self._unsettled,
+        ):
+            index.clear()
 
     def _seed(self, changes: Changes) -> None:
         """Try the rules that may fire anew."""
@@ -112,14 +126,15 @@ class Halo:
                             self._match(rule, term.name, node)
         for rule in self._rules.loose():
             self._withdraw(self._by_rule.get(rule, ()))
-            self._match(rule)
+            if self._rules.is_possible(rule, self._net):
+                self._match(rule)
 
     def _match(self, rule: RuleInForce, name: str = "", node: Node | None = None) -> None:
-        """Add every instance of the rule, or those in which the name is this node."""
-        bound = {name: node} if node is not None else None
-        condition = rule.rule.condition
-        for binding in matches(condition, self._net, BAND_1, bound, self._threshold):
-            plan = self._plans.get(rule)
+        """Add every instance of the rule, or those in which the name is this node; its words are all there."""
+        bound = {name: node} if node is not None else {}
+        terms = list(rule.rule.condition.terms)
+        plan = self._plans.get(rule)
+        for binding in solutions(terms, self._net, BAND_1, bound, self._threshold):
             if plan is None:
                 plan = self._plans[rule] = Plan.of(rule.rule)
             ident = (rule, *(binding[n] for n in plan.names))
@@ -236,6 +251,8 @@ class Halo:
     def _is_known(self, conclusion: Conclusion, best: Instance) -> bool:
         """Whether something nearer says the same and is believed as much."""
         nearer = conclusion.band - 1
+        if not all(map(self._net.has_word, conclusion.words - {""})):
+            return False
         if best.plan.alias:
             node = best.binding[best.rule.rule.conclusion.main]
             return node.known_as(str(conclusion.key[1]), nearer, best.belief)
@@ -244,13 +261,7 @@ class Halo:
 
     def _assert(self, conclusion: Conclusion, best: Instance) -> None:
         if conclusion.best is None:
-            known = best.known
-            bound = instantiate(self._net, best.rule.rule.conclusion, known)
-            for name, node in bound.items():
-                if name not in known:
-                    node.level, node.belief = conclusion.band, best.belief
-                    conclusion.made[node] = best.plan.canon[name]
-                    self._of[node] = conclusion
+            self._make(conclusion, best)
         if conclusion.best is not best:
             reasons = frozenset(best.premises)
             for node in conclusion.made:
@@ -258,6 +269,18 @@ class Halo:
         conclusion.best = best
         for node in conclusion.made:
             self._net.believe(node, best.belief)
+
+    def _make(self, conclusion: Conclusion, best: Instance) -> None:
+        plan = best.plan
+        bound = dict(best.known)
+        for term in plan.new:
+            node = bound[term.name] = self._net.from_term(term)
+            node.level, node.belief = conclusion.band, best.belief
+            conclusion.made[node] = plan.canon[term.name]
+            self._of[node] = conclusion
+        for term in plan.new:
+            for role, to in term.links:
+                self._net.link(bound[term.name], role, bound[to])
 
     def _retract(self, conclusion: Conclusion) -> None:
         if conclusion.best is None:

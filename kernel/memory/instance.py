@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass, field
 
 from kernel.memory.lesson import Rule
 from kernel.memory.rules import RuleInForce, is_loose
 from kernel.net.canon import canonical_names
-from kernel.net.graphlet import Graphlet
+from kernel.net.graphlet import Graphlet, Term
 from kernel.net.match import Binding, holds, matches
 from kernel.net.node import BAND_1, WORKING, Changes, Net, Node
 
@@ -32,6 +33,7 @@ class Plan:
         alias: words that the conclusion adds to a node of the condition; empty if it makes nodes of its own.
         shape: text of the conclusion, equal for equal ones; known: names of the condition in it, in order.
         canon: canonical name of every name of the conclusion.
+        new: terms of the nodes that the conclusion makes.
         denied: the contrary of the conclusion.
         words: of the conclusion; "" among them where a word alone does not tell.
     """
@@ -41,6 +43,7 @@ class Plan:
     shape: str
     known: tuple[str, ...]
     canon: dict[str, str]
+    new: tuple[Term, ...]
     denied: Graphlet
     words: frozenset[str]
     unless: tuple[Unless, ...]
@@ -69,6 +72,7 @@ class Plan:
             shape,
             known,
             canon,
+            () if alias else tuple(_made(conclusion, condition)),
             conclusion.denied(),
             _telling(conclusion),
             tuple(
@@ -76,6 +80,16 @@ class Plan:
                 for g in rule.unless
             ),
         )
+
+
+def _made(conclusion: Graphlet, condition: frozenset[str]) -> Iterator[Term]:
+    """The terms of what the condition does not name; of what is only linked to, too."""
+    described = {term.name: term for term in conclusion.terms}
+    names = dict.fromkeys((conclusion.main, *described))
+    names |= {to: None for term in conclusion.terms for _, to in term.links}
+    for name in names:
+        if name not in condition:
+            yield described.get(name, Term(name))
 
 
 def _telling(graphlet: Graphlet) -> frozenset[str]:
@@ -91,7 +105,7 @@ class Instance:
         band: BAND_1 if by working memory alone, else BAND_2.
         premise: belief of the least believed premise.
         premises: nodes it rests on; words: (node, word): concluded words it rests on.
-        keys: what it concludes.
+        keys: what it concludes; known: the part of the binding that the conclusion mentions.
         blocked: an exception holds.
     """
 
@@ -103,6 +117,7 @@ class Instance:
     premises: tuple[Node, ...]
     words: tuple[tuple[Node, str], ...]
     keys: tuple[Key, ...]
+    known: Binding
     blocked: bool = False
 
     @property
@@ -110,16 +125,14 @@ class Instance:
         """Rule belief times lowest premise belief (mind.md)."""
         return self.rule.strength * self.premise
 
-    @property
-    def known(self) -> Binding:
-        """The part of the binding that the conclusion mentions."""
-        return {name: self.binding[name] for name in self.plan.known}
-
     @classmethod
     def of(cls, rule: RuleInForce, plan: Plan, binding: Binding, threshold: float) -> Instance:
         """The instance for a match of the condition within BAND_1 that was found with this threshold."""
         premises, words = [], []
-        band = max(node.level for node in binding.values())
+        band = WORKING
+        for node in binding.values():
+            if node.level > band:
+                band = node.level
         for term in rule.rule.condition.terms:
             node = binding[term.name]
             premises.append(node)
@@ -128,22 +141,27 @@ class Instance:
                     words.append((node, word))
                     band = max(band, _level(node, word, threshold)[0])
         band += 1
+        known = {name: binding[name] for name in plan.known}
         keys: tuple[Key, ...]
         if plan.alias:
             main = binding[rule.rule.conclusion.main]
             keys = tuple((band, word, main) for word in plan.alias)
         else:
-            keys = ((band, plan.shape, *(binding[name] for name in plan.known)),)
+            keys = ((band, plan.shape, *known.values()),)
         words.sort(key=lambda item: (item[0].number, item[1]))
-        made = cls(rule, plan, binding, band, 1.0, tuple(premises), tuple(words), keys)
+        made = cls(rule, plan, binding, band, 1.0, tuple(premises), tuple(words), keys, known)
         made.weigh(threshold)
         return made
 
     def weigh(self, threshold: float) -> None:
         """Take the premises' beliefs as they are now."""
-        beliefs = [node.belief for node in self.premises]
-        beliefs += [_level(node, word, threshold)[1] for node, word in self.words]
-        self.premise = min(beliefs, default=1.0)
+        least = 1.0
+        for node in self.premises:
+            if node.belief < least:
+                least = node.belief
+        for node, word in self.words:
+            least = min(least, _level(node, word, threshold)[1])
+        self.premise = least
 
     def excepted(self, net: Net, depth: int, threshold: float) -> bool:
         """Whether an exception of the rule holds."""
@@ -157,7 +175,7 @@ class Instance:
         if self.plan.alias:
             return _told_otherwise(net, self.binding[self.rule.rule.conclusion.main], str(key[1]))
         main = self.plan.denied.main
-        return any(
+        return all(map(net.has_word, self.plan.words - {""})) and any(
             match[main].rule == 0
             for match in matches(self.plan.denied, net, WORKING, self.known, 0.0)
         )

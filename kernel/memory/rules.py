@@ -110,6 +110,10 @@ class RuleBook:
         for found in sorted(self._index.possible(net), key=lambda r: r.order):
             yield found.lesson, found.rule
 
+    def is_possible(self, rule: RuleInForce, net: Net) -> bool:
+        """Whether the net has every word that the rule's condition needs."""
+        return all(map(net.has_word, rule.rule.condition.words()))
+
     def possible(self, net: Net) -> list[RuleInForce]:
         """Rules for whose conditions the net has every word."""
         return self._index.possible(net)

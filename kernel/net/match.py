@@ -30,7 +30,14 @@ def matches(
         for word in term.lex:
             if not net.has_word(word):
                 return
-    yield from _Matcher(net, depth, threshold).solve(terms, dict(bound) if bound else {})
+    yield from solutions(terms, net, depth, dict(bound) if bound else {}, threshold)
+
+
+def solutions(
+    terms: list[Term], net: Net, depth: int, bound: Binding, threshold: float
+) -> Iterator[Binding]:
+    """As `matches`, for a caller who knows that every word is there and gives terms and binding away."""
+    return _Matcher(net, depth, threshold).solve(terms, bound)
 
 
 def holds(
