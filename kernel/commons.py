@@ -66,14 +66,15 @@ class Commons:
         lesson = replace(lesson, ident=ident)
         self.enforce(lesson)
         self.record("lesson", focus, ident=ident, kind=lesson.kind)
-        if lesson.kind != "fact":
+        if lesson.kind != "fact" and not lesson.origins:  # what it made of rules itself is no news
             self.replies.append(LessonTaken(lesson))
 
     def not_kept(self, key: int, why: str) -> None:
         """The store could not keep it."""
         if key in self.pending:
-            focus, _ = self.pending.pop(key)
-            focus.failure = Failure("not_stored", None, why)
+            focus, lesson = self.pending.pop(key)
+            if not lesson.origins:
+                focus.failure = Failure("not_stored", None, why)
 
     def enforce(self, lesson: Lesson) -> None:
         """Put a lesson in force."""

@@ -30,6 +30,7 @@ from kernel.net.graphlet import Sketch
 from kernel.net.node import Node, describe
 
 PARTS: Final = ("gripper", "lift", "fork", "wheel", "battery", "finger", "arm")
+INNATE: Final = -1_000_000  # lessons from here down are the innate ones
 TAKEOVERS: Final = 3  # the same reaction may pre-empt the same focus so often in TAKEOVER_S
 TAKEOVER_S: Final = 10.0
 
@@ -61,8 +62,8 @@ class Mind:
 
     @property
     def policy(self) -> tuple[Lesson, ...]:
-        """Lessons in force that were taught or born as sentences."""
-        return tuple(lesson for lesson in self._commons.lessons.values() if lesson.words)
+        """Lessons in force that were taught, born as sentences, or made by the robot itself."""
+        return tuple(x for x in self._commons.lessons.values() if x.ident > INNATE)
 
     @property
     def memory(self) -> WorkingMemory:
@@ -88,6 +89,8 @@ class Mind:
         for heard in inputs.heard:
             self._hear(heard)
         self._think()
+        for gone in commons.memory.take_lost():
+            commons.record("fact", None, text=" ".join(sorted(gone.words())), lost=True)
         winners = self._arbitrate(now_s)
         self._fade(now_s)
         outputs = Outputs(
@@ -241,5 +244,5 @@ def innate() -> list[Lesson]:
                 Directive("DO", sketch.graphlet(act)),
                 sequence(Directive("FCN", sketch.graphlet(function))),
             )
-            lessons.append(Lesson(-1_000_000 - len(lessons), "procedure", operator))
+            lessons.append(Lesson(INNATE - len(lessons), "procedure", operator))
     return lessons

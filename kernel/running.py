@@ -16,6 +16,7 @@ from kernel.net.graphlet import Graphlet
 from kernel.net.match import Binding
 from kernel.net.node import MODIFIER_ROLES, Node
 from kernel.stepping import RunningStep
+from kernel.using import use
 
 
 class Frame:
@@ -124,6 +125,7 @@ class Frame:
         found = False
         for binding in referents(graphlet, memory, self.binding, self.commons.settings.threshold):
             found = True
+            use(self.commons, self.focus, (graphlet,), binding)
             self.mention(binding[graphlet.main])
             yield binding
         if not found and may_assume(graphlet, later):

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from functools import partial
 from typing import TYPE_CHECKING, Final
 
 from kernel.action.chain import Directive
@@ -17,6 +18,7 @@ from kernel.memory.reply import Reason
 from kernel.net.match import matches
 from kernel.net.node import Node, describe
 from kernel.selecting import Chosen, Selection
+from kernel.using import use
 
 if TYPE_CHECKING:
     from kernel.running import Frame
@@ -81,6 +83,7 @@ class RunningStep:
         )
         for choice in order:
             self.commons.record("chosen", self.focus, tag=tag, lesson=choice.lesson.ident)
+            use(self.commons, self.focus, choice.operator.asks, choice.binding)
             if tag == "ANTE" and choice.operator.prohibits:
                 self.prohibit(choice)
             yield choice
@@ -138,6 +141,7 @@ class RunningStep:
                 pattern, memory.net, memory.depth, bound, self.selection.threshold
             ):
                 if is_so(binding):
+                    use(self.commons, self.focus, (pattern,), binding)
                     self.frame.binding = {**self.frame.binding, **binding}
                     return verdict
         return None
@@ -175,7 +179,9 @@ class RunningStep:
             for node in named(meaning.about, self.commons.memory):
                 self.frame.mention(node)
             self.commons.memory.refresh()
-            self.commons.replies.append(answer(meaning, self.commons.memory))
+            self.commons.replies.append(
+                answer(meaning, self.commons.memory, partial(use, self.commons, self.focus))
+            )
 
     def times(self) -> int:
         """The count under the action node."""

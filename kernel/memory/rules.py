@@ -37,6 +37,7 @@ class RuleBook:
         self._loose: dict[RuleInForce, None] = {}
         self._by_lesson: dict[int, RuleInForce] = {}
         self._contents: dict[Rule, int] = {}
+        self._unwanted: set[Rule] = set()
         self.added: dict[RuleInForce, None] = {}
         self.removed: dict[RuleInForce, None] = {}
         self.weighed: dict[RuleInForce, None] = {}
@@ -58,7 +59,9 @@ class RuleBook:
         rule = lesson.content
         if not isinstance(rule, Rule):
             raise TypeError(rule)
-        self.remove(lesson)
+        if lesson.ident in self._by_lesson:
+            self.remove(lesson)
+        self._unwanted.discard(_bare(rule))
         new = RuleInForce(lesson, rule, rule.belief if belief is None else belief)
         self._by_lesson[lesson.ident] = new
         content = _bare(rule)
@@ -80,6 +83,8 @@ class RuleBook:
         self._contents[content] -= 1
         if not self._contents[content]:
             del self._contents[content]
+        if lesson.origins:
+            self._unwanted.add(content)  # what a person had it forget it does not make again
         self.weighed.pop(old, None)
         if old in self.added:
             del self.added[old]
@@ -97,9 +102,10 @@ class RuleBook:
         """The rule of this lesson, if it is in force."""
         return self._by_lesson.get(ident)
 
-    def holds(self, rule: Rule) -> bool:
-        """Whether an equal rule is in force, whatever its belief."""
-        return _bare(rule) in self._contents
+    def is_new(self, rule: Rule) -> bool:
+        """Whether no equal rule is in force, whatever its belief, and none that the robot made was retired."""
+        content = _bare(rule)
+        return content not in self._contents and content not in self._unwanted
 
     def made_from(self, ident: int) -> list[Lesson]:
         """Rules in force that the robot made from this one."""

@@ -29,7 +29,6 @@ class WorkingMemory:
         me: the robot ("you" to a person); user: the node of the person speaking.
         told: facts by their main node, least recently mentioned first, with the nodes that carry them.
         promotions: conclusions that were used.
-        lost: told facts that had to make room, for the log.
     """
 
     def __init__(self, roots: Callable[[], Iterable[Node]], parts: Iterable[str] = ()) -> None:
@@ -39,7 +38,7 @@ class WorkingMemory:
         self.halo = Halo(self.net, self.rules)
         self.promotions = Promotions(self.net, self.halo, self.rules)
         self.told: dict[Node, tuple[Node, ...]] = {}
-        self.lost: list[Graphlet] = []
+        self._lost: list[Graphlet] = []
         self._reach = Reach(self.net, self.mention)
         self._roots = roots
         self._sensed: dict[str, tuple[Node, ...]] = {}
@@ -139,11 +138,16 @@ class WorkingMemory:
         self.told[group[0]] = group
         while len(self.told) > TOLD_LIMIT:
             oldest = next(iter(self.told))
-            self.lost.append(describe(oldest))
+            self._lost.append(describe(oldest))
             about = [other for node in self.told[oldest] for _, other in node.links]
             self.retract(oldest)
             self.forget(about)
         self.changed()
+
+    def take_lost(self) -> list[Graphlet]:
+        """Told facts that had to make room since the last call, for the log."""
+        lost, self._lost = self._lost, []
+        return lost
 
     def remember_description(self, nodes: Iterable[Node]) -> None:
         """Keep the nodes that describe something a fact is about, as long as any told fact is kept."""
