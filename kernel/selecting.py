@@ -12,6 +12,7 @@ from kernel.memory.recall import known
 from kernel.net.graphlet import Graphlet
 from kernel.net.match import Binding, holds, matches
 from kernel.net.node import Node
+from kernel.using import use
 
 
 @dataclass(frozen=True, slots=True)
@@ -48,9 +49,10 @@ class Selection:
         memory = self.commons.memory
         memory.refresh()
         if tag == "NOTE":
-            lessons: Iterator[Lesson] = self.commons.operators.for_fact(memory.net)
+            nodes = memory.resting_on(self.facts)
+            lessons: Iterator[Lesson] = self.commons.operators.for_facts(nodes, memory.net)
         elif self.node is not None:
-            lessons = self.commons.operators.for_node(tag, self.node)
+            lessons = self.commons.operators.for_node(tag, self.node, memory.net)
         else:
             return
         self.ruled_out = False
@@ -131,6 +133,7 @@ class Selection:
             if permission.specificity > prohibition.specificity or (
                 permission.specificity == prohibition.specificity and newer
             ):
+                use(self.commons, self.focus, permission.operator.asks, permission.binding)
                 self.commons.record("permitted", self.focus, by=permission.lesson.words)
                 return True
         return False

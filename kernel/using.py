@@ -7,12 +7,10 @@ from collections.abc import Iterable
 from kernel.commons import Commons
 from kernel.memory.attention import Focus
 from kernel.memory.chunking import chunk
-from kernel.memory.instance import Instance
 from kernel.memory.lesson import Lesson, Rule
-from kernel.memory.promotion import Step, items_used
+from kernel.memory.promotion import Step, items_used, shared_names
 from kernel.net.graphlet import Graphlet
 from kernel.net.match import Binding
-from kernel.net.node import Node
 
 
 def use(
@@ -44,29 +42,18 @@ def _consolidated(commons: Commons, step: Step) -> list[tuple[Rule, tuple[int, .
     """The one-step rule for a conclusion that took two, with the numbers of the rules it is made from."""
     if step.item in commons.memory.promotions:
         return []
-    rule: Rule | None = step.instance.rule.rule
-    names = {node: name for name, node in step.instance.binding.items()}
-    origins = [step.instance.rule.lesson.ident]
     before = commons.memory.promotions.steps_before(step)
     if len(before) != 1:
         return []  # ours: a conclusion of several conclusions stays as it is
-    (first,) = before
-    if rule is not None:
-        rule = chunk(first.instance.rule.rule, rule, _same(first, step.instance, names))
-    origins.insert(0, first.instance.rule.lesson.ident)
-    return [(rule, tuple(origins))] if rule is not None else []
-
-
-def _same(first: Step, second: Instance, names: dict[Node, str]) -> dict[str, str]:
-    """Names of the second rule to those of the first for the nodes they share."""
-    of = {node: name for name, node in first.instance.binding.items()}
-    canon = {c: name for name, c in first.instance.plan.canon.items()}
-    of |= {node: canon[c] for node, c in first.made.items() if c in canon}
-    return {name: of[node] for node, name in names.items() if node in of}
+    (first,), second = before, step.instance
+    rule = chunk(first.instance.rule.rule, second.rule.rule, shared_names(first, second))
+    origins = (first.instance.rule.lesson.ident, second.rule.lesson.ident)
+    return [(rule, origins)] if rule is not None else []
 
 
 def _learn(commons: Commons, focus: Focus, rule: Rule, origins: tuple[int, ...]) -> None:
     """Keep a rule that the robot made itself, unless an equal one is in force or was forgotten."""
     waiting = any(lesson.content == rule for _, lesson in commons.pending.values())
     if not waiting and commons.memory.rules.is_new(rule):
-        commons.keep(focus, Lesson(0, "rule", rule, at_s=0.0, origins=origins))
+        at_s = focus.heard.utterance.at_s if focus.heard else 0.0
+        commons.keep(focus, Lesson(0, "rule", rule, at_s=at_s, origins=origins))

@@ -50,7 +50,8 @@ def chunk(first: Rule, second: Rule, same: Mapping[str, str]) -> Rule | None:
     condition = Graphlet(tuple(terms.values()), first.condition.main)
     if not conclusion.names.isdisjoint(condition.names) and _says_nothing(condition, conclusion):
         return None
-    rule = Rule(condition, conclusion, tuple(dict.fromkeys(exceptions)), first.belief * second.belief)
+    belief = round(first.belief * second.belief, 6)  # as far as notation tells them apart
+    rule = Rule(condition, conclusion, tuple(dict.fromkeys(exceptions)), belief)
     return canonical(rule)
 
 

@@ -8,7 +8,7 @@ comes of it is always what deriving everything afresh would give.
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from typing import Final
 
 from kernel.memory.instance import Conclusion, Instance, Key, Plan, telling_words
@@ -51,6 +51,14 @@ class Halo:
             if found is not None and found.best is not None:
                 return found
         return None
+
+    def resting_on(self, node: Node) -> Iterator[Node]:
+        """Nodes concluded now with this one as a premise."""
+        for instance in self._by_node.get(node, ()):
+            for key in instance.keys:
+                conclusion = self._conclusions[key]
+                if conclusion.best is instance and node in instance.premises:
+                    yield from conclusion.made
 
     # -- following -------------------------------------------------------------------------
 

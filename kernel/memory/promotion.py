@@ -15,7 +15,7 @@ from kernel.memory.instance import Instance, Key
 from kernel.memory.rules import RuleBook
 from kernel.net.graphlet import Graphlet
 from kernel.net.match import Binding
-from kernel.net.node import BAND_1, BAND_2, WORKING, Net, Node
+from kernel.net.node import WORKING, Net, Node
 
 Item = tuple[Node, str]  # a node that was concluded (""), or a concluded word of a node
 STEPS: Final = 2
@@ -100,6 +100,10 @@ class Promotions:
             reasons += [Reason(s.instance.rule.lesson.ident, s.instance.premises) for s in layer]
             layer = [before for step in layer for before in self.steps_before(step)]
         return tuple(dict.fromkeys(reasons))
+
+    def resting_on(self, node: Node) -> list[Node]:
+        """Promoted nodes with this one as a premise."""
+        return [n for n, word in self._promoted if not word and node in n.reasons]
 
     # -- promoting -------------------------------------------------------------------------
 
@@ -206,8 +210,9 @@ class Promotions:
             self._net.believe(node, belief)
 
 
-def took_two_steps(step: Step) -> bool:
-    """Whether the step rests on another conclusion."""
-    return step.instance.band in (BAND_1, BAND_2) and (
-        bool(step.instance.words) or any(node.rule for node in step.instance.premises)
-    )
+def shared_names(first: Step, second: Instance) -> dict[str, str]:
+    """Names in the condition of the second rule to those of the first rule that stand for the same nodes."""
+    of = {node: name for name, node in first.instance.binding.items()}
+    named = {canonical: name for name, canonical in first.instance.plan.canon.items()}
+    of |= {node: named[canonical] for node, canonical in first.made.items()}
+    return {name: of[node] for name, node in second.binding.items() if node in of}

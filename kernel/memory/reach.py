@@ -44,7 +44,7 @@ class Reach:
         """Follow the changes of the net that nobody has taken yet, and of what is in attention."""
         changes = self._net.changes
         lost = [node for node in self._roots if node not in roots]
-        came = [node for node in roots if node not in self._roots]
+        came = [node for node in roots if node not in self._mind]
         self._roots = roots
         suspects = [*lost, *self._released]
         for node in changes.dropped:

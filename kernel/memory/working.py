@@ -70,6 +70,18 @@ class WorkingMemory:
             self._reach.update(self._in_attention())
         self.halo.update(self.net.take_changes())
 
+    def resting_on(self, facts: Iterable[Node]) -> dict[Node, None]:
+        """The facts with everything that is concluded from them."""
+        found = dict.fromkeys(facts)
+        pending = list(found)
+        while pending:
+            node = pending.pop()
+            for other in (*self.halo.resting_on(node), *self.promotions.resting_on(node)):
+                if other not in found:
+                    found[other] = None
+                    pending.append(other)
+        return found
+
     def rebuild(self) -> None:
         """Work out afresh what is in mind and what follows; the outcome is that of `refresh`."""
         self.refresh()

@@ -106,6 +106,9 @@ class World:
                 memory.rules.believe(self.taught[one % len(self.taught)], belief)
             case "focus":
                 self.foci.append({thing: None, other: None})
+            case "mention" if self.foci and memory.halo.nodes:
+                nodes = memory.halo.nodes
+                self.foci[two % len(self.foci)][nodes[one % len(nodes)]] = None
             case "fade" if self.foci:
                 memory.forget(
                     [n for n in self.foci.pop(one % len(self.foci)) if n not in self.things]
@@ -129,7 +132,7 @@ class World:
 
 OPERATIONS = (
     ("tell", "tell", "tell", "tell", "deny", "teach", "teach", "teach", "retract", "retire")
-    + ("weigh", "focus", "fade", "sense", "unsense", "name", "unname", "promote", "promote")
+    + ("weigh", "focus", "fade", "sense", "unsense", "name", "unname", "promote", "promote", "mention")
 )  # fmt: skip
 
 
