@@ -1,7 +1,7 @@
 """Lessons by the thousand: the nets of taught sentences, each with words of its own.
 
-Of `lessons(size)` 50 rules fire on the hundred facts of `tell`, and 25 more on what these conclude; all others are about
-words that are not there, or have only the first of two conditions met.
+Of `lessons(size)` 50 rules fire on the hundred facts of `tell`, and 25 more on what these conclude; all others are
+about words that are not there, or have only the first of two conditions met.
 """
 
 from dataclasses import replace
@@ -53,7 +53,8 @@ def reworded(content: G, words: dict[str, str]) -> G:
     match content:
         case Graphlet(terms, main):
             return Graphlet(
-                tuple(replace(t, lex=frozenset(words.get(w, w) for w in t.lex)) for t in terms), main
+                tuple(replace(t, lex=frozenset(words.get(w, w) for w in t.lex)) for t in terms),
+                main,
             )
         case Directive(tag, graphlet):
             return Directive(tag, graphlet and reworded(graphlet, words))
@@ -103,7 +104,11 @@ def kind_of(number: int) -> str:
 
 
 def rule(ident: int, number: int, prefix: str = "") -> Lesson:
-    words = {"girl": f"{prefix}kind{number}", "heavy": f"{prefix}heavy{number}", "tall": f"{prefix}tall{number}"}
+    words = {
+        "girl": f"{prefix}kind{number}",
+        "heavy": f"{prefix}heavy{number}",
+        "tall": f"{prefix}tall{number}",
+    }
     return Lesson(ident, "rule", NETS.make(kind_of(number), **words))  # type: ignore[arg-type]
 
 

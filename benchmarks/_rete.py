@@ -1,5 +1,7 @@
-"""The same inference in CLIPS (its Rete, by way of clipspy), for comparison. Conclusions are logical: they go with their
-reasons, as ours do."""
+"""The same inference in CLIPS (its Rete, by way of clipspy), for comparison.
+
+Conclusions are logical: they go with their reasons, as ours do.
+"""
 
 import time
 from statistics import median

@@ -6,9 +6,9 @@ core. The same inference in CLIPS in the same run, as a ratio (above 1: CLIPS is
 """
 
 import gc
+import subprocess
 import sys
 import tempfile
-import subprocess
 import time
 from collections.abc import Callable
 from pathlib import Path
@@ -19,7 +19,6 @@ from _lessons import FIRING, NETS, SECOND, lessons, say, tell
 
 from daemon.store import Store
 from grammars.render import render
-from kernel.action.chain import Directive
 from kernel.memory.choice import choice_weights, in_turn
 from kernel.memory.exchange import Inputs
 from kernel.memory.lesson import Lesson
@@ -154,14 +153,19 @@ def storing(size: int) -> None:
             store.add(lesson)
             render(lesson.content, "teacher")
 
-        show("a lesson stored durably and read back", [timed(lambda x=x: keep(x)) for x in made], 20)
+        show(
+            "a lesson stored durably and read back", [timed(lambda x=x: keep(x)) for x in made], 20
+        )
         store.close()
 
 
 def resident_mb(size: int) -> float:
     """Memory of a fresh process with so many rules and operators in force."""
     out = subprocess.run(
-        [sys.executable, __file__, "--resident", str(size)], capture_output=True, text=True, check=True
+        [sys.executable, __file__, "--resident", str(size)],
+        capture_output=True,
+        text=True,
+        check=True,
     )
     return float(out.stdout)
 

@@ -13,9 +13,7 @@ from kernel.net.graphlet import Graphlet
 from kernel.net.match import Binding
 
 
-def use(
-    commons: Commons, focus: Focus, patterns: Iterable[Graphlet], binding: Binding
-) -> None:
+def use(commons: Commons, focus: Focus, patterns: Iterable[Graphlet], binding: Binding) -> None:
     """What the focus does rests on these patterns under this binding: conclusions among that are promoted."""
     memory = commons.memory
     items = items_used(patterns, binding)

@@ -97,9 +97,7 @@ def _merged(there: Term | None, more: Term) -> Term | None:
     if there.negated != more.negated or len(literals) > 1:
         return None
     links = tuple(sorted({*there.links, *more.links}))
-    return replace(
-        there, lex=there.lex | more.lex, links=links, literal=next(iter(literals), None)
-    )
+    return replace(there, lex=there.lex | more.lex, links=links, literal=next(iter(literals), None))
 
 
 def _conclusion(first: Rule, concluded: Graphlet, made: frozenset[str]) -> Graphlet | None:

@@ -11,12 +11,16 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from typing import Final
 
+from kernel.memory.fired import Fired, discard
 from kernel.memory.instance import Conclusion, Instance, Key, Plan, telling_words
 from kernel.memory.rules import RuleBook, RuleInForce
+from kernel.net.changes import Changes
 from kernel.net.match import holds, solutions
-from kernel.net.node import BAND_1, BAND_2, Changes, Net, Node
+from kernel.net.node import BAND_1, BAND_2, Net, Node
 
-PREMISE_THRESHOLD: Final = 0.2  # mind.md: caution counts premises down to here; others look at the conclusion's belief
+PREMISE_THRESHOLD: Final = (
+    0.2  # mind.md: caution counts premises down to here; others look at the conclusion's belief
+)
 
 
 class Halo:
@@ -26,10 +30,7 @@ class Halo:
         """threshold: premises below it conclude nothing."""
         self._net, self._rules, self._threshold = net, rules, threshold
         self._plans: dict[RuleInForce, Plan] = {}
-        self._instances: dict[Key, Instance] = {}
-        self._by_rule: dict[RuleInForce, dict[Instance, Key]] = {}
-        self._by_node: dict[Node, dict[Instance, None]] = {}
-        self._by_exception: dict[str, dict[Instance, None]] = {}
+        self._fired = Fired()
         self._conclusions: dict[Key, Conclusion] = {}
         self._by_word: dict[str, dict[Conclusion, None]] = {}
         self._of: dict[Node, Conclusion] = {}
@@ -54,7 +55,7 @@ class Halo:
 
     def resting_on(self, node: Node) -> Iterator[Node]:
         """Nodes concluded now with this one as a premise."""
-        for instance in self._by_node.get(node, ()):
+        for instance in self._fired.on(node):
             for key in instance.keys:
                 conclusion = self._conclusions[key]
                 if conclusion.best is instance and node in instance.premises:
@@ -66,12 +67,12 @@ class Halo:
         """Follow the changes of working memory and rules."""
         rules = self._rules
         for rule in rules.removed:
-            self._withdraw(self._by_rule.get(rule, ()))
+            self._withdraw(self._fired.by(rule))
             self._plans.pop(rule, None)
         for rule in rules.weighed:
-            for instance in self._by_rule.get(rule, ()):
+            for instance in self._fired.by(rule):
                 self._unsettle(instance)
-        self._withdraw(self._resting_on((*changes.dropped, *changes.altered), BAND_1))
+        self._withdraw(self._fired.resting_on((*changes.dropped, *changes.altered), BAND_1))
         for rule in rules.added:
             if rules.is_possible(rule, self._net):
                 self._match(rule)
@@ -84,7 +85,7 @@ class Halo:
         self._settle(BAND_1)
         changes = self._net.take_changes()
         if changes:
-            self._withdraw(self._resting_on((*changes.dropped, *changes.altered), BAND_2))
+            self._withdraw(self._fired.resting_on((*changes.dropped, *changes.altered), BAND_2))
             self._seed(changes)
             self._review(telling_words(changes))
         self._settle(BAND_2)
@@ -109,16 +110,10 @@ class Halo:
         """Conclude nothing."""
         for conclusion in self._conclusions.values():
             self._retract(conclusion)
-        for index in (
-            self._instances,
-            self._by_rule,
-            self._by_node,
-            self._by_exception,
-            self._conclusions,
-            self._by_word,
-            self._unsettled,
-        ):
-            index.clear()
+        self._fired.clear()
+        self._conclusions.clear()
+        self._by_word.clear()
+        self._unsettled.clear()
 
     def _seed(self, changes: Changes) -> None:
         """Try the rules that may fire anew."""
@@ -133,7 +128,7 @@ class Halo:
                         if term.lex and term.lex <= words:
                             self._match(rule, term.name, node)
         for rule in self._rules.loose():
-            self._withdraw(self._by_rule.get(rule, ()))
+            self._withdraw(self._fired.by(rule))
             if self._rules.is_possible(rule, self._net):
                 self._match(rule)
 
@@ -146,19 +141,12 @@ class Halo:
             if plan is None:
                 plan = self._plans[rule] = Plan.of(rule.rule)
             ident = (rule, *(binding[n] for n in plan.names))
-            if ident not in self._instances:
+            if ident not in self._fired:
                 self._add(Instance.of(rule, plan, binding, self._threshold), ident)
 
     def _add(self, instance: Instance, ident: Key) -> None:
-        self._instances[ident] = instance
-        self._by_rule.setdefault(instance.rule, {})[instance] = ident
-        for node in instance.binding.values():
-            self._by_node.setdefault(node, {})[instance] = None
-        if instance.plan.unless:
-            for exception in instance.plan.unless:
-                for word in exception.words:
-                    self._by_exception.setdefault(word, {})[instance] = None
-            instance.blocked = self._excepted(instance)
+        self._fired.add(instance, ident)
+        instance.blocked = bool(instance.plan.unless) and self._excepted(instance)
         for key in instance.keys:
             conclusion = self._conclusions.get(key)
             if conclusion is None:
@@ -171,27 +159,11 @@ class Halo:
 
     def _withdraw(self, instances: Iterable[Instance]) -> None:
         for instance in list(instances):
-            ident = self._by_rule[instance.rule].pop(instance)
-            if not self._by_rule[instance.rule]:
-                del self._by_rule[instance.rule]
-            del self._instances[ident]
-            for node in instance.binding.values():
-                _discard(self._by_node, node, instance)
-            for exception in instance.plan.unless:
-                for word in exception.words:
-                    _discard(self._by_exception, word, instance)
+            self._fired.remove(instance)
             for key in instance.keys:
                 conclusion = self._conclusions[key]
                 conclusion.instances.pop(instance, None)
                 self._unsettled[conclusion] = None
-
-    def _resting_on(self, nodes: Iterable[Node], least_band: int) -> dict[Instance, None]:
-        return {
-            instance: None
-            for node in nodes
-            for instance in self._by_node.get(node, ())
-            if instance.band >= least_band
-        }
 
     def _unsettle(self, instance: Instance) -> None:
         for key in instance.keys:
@@ -199,8 +171,8 @@ class Halo:
 
     def _review(self, words: Iterable[str]) -> None:
         """Look again at exceptions and at conclusions that may be known or denied otherwise now."""
-        for word in sorted(w for w in words if w in self._by_exception or w in self._by_word):
-            for instance in self._by_exception.get(word, ()):
+        for word in sorted(w for w in words if w in self._by_word or self._fired.watching(w)):
+            for instance in self._fired.watching(word):
                 blocked = self._excepted(instance)
                 if blocked != instance.blocked:
                     instance.blocked = blocked
@@ -238,9 +210,11 @@ class Halo:
         for instance in conclusion.instances:
             if instance.blocked:
                 continue
-            if best is None or instance.belief > best.belief:
-                best = instance
-            elif instance.belief == best.belief and self._rank(instance) < self._rank(best):
+            if (
+                best is None
+                or instance.belief > best.belief
+                or (instance.belief == best.belief and self._rank(instance) < self._rank(best))
+            ):
                 best = instance
         return best
 
@@ -314,12 +288,4 @@ class Halo:
     def _forget(self, conclusion: Conclusion) -> None:
         del self._conclusions[conclusion.key]
         for word in conclusion.words:
-            _discard(self._by_word, word, conclusion)
-
-
-def _discard(index: dict, key: object, item: object) -> None:  # type: ignore[type-arg]
-    there = index.get(key)
-    if there is not None:
-        there.pop(item, None)
-        if not there:
-            del index[key]
+            discard(self._by_word, word, conclusion)

@@ -1,7 +1,7 @@
 """Finding lessons by words: those that a word concerns, or all that the net has every word for.
 
-However many lessons share a word ("grab" in ten thousand prohibitions), a search never walks more of them than there are
-words in mind.
+However many lessons share a word ("grab" in ten thousand prohibitions), a search never walks more of them than there
+are words in mind.
 """
 
 from __future__ import annotations

@@ -8,11 +8,14 @@ from dataclasses import dataclass, field
 from kernel.memory.lesson import Rule
 from kernel.memory.rules import RuleInForce, is_loose
 from kernel.net.canon import canonical_names
+from kernel.net.changes import Changes
 from kernel.net.graphlet import Graphlet, Term
 from kernel.net.match import Binding, holds, matches
-from kernel.net.node import BAND_1, WORKING, Changes, Net, Node
+from kernel.net.node import BAND_1, WORKING, Net, Node
 
-Key = tuple[object, ...]  # what is concluded: equal for two rules that conclude the same of the same
+Key = tuple[
+    object, ...
+]  # what is concluded: equal for two rules that conclude the same of the same
 
 
 @dataclass(frozen=True, slots=True)
@@ -226,7 +229,11 @@ class Conclusion:
 def telling_words(changes: Changes) -> dict[str, None]:
     """Words that tell which patterns the changes can concern; "" always does."""
     words: dict[str, None] = {"": None, **changes.words}
-    for group, wide in ((changes.extended, False), (changes.altered, True), (changes.dropped, False)):
+    for group, wide in (
+        (changes.extended, False),
+        (changes.altered, True),
+        (changes.dropped, False),
+    ):
         for node in group:
             words |= dict.fromkeys(node.words())
             if wide or not node.lex:

@@ -6,10 +6,10 @@ section 3). Its level says how far from attention it is.
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable, Iterator, Mapping
-from dataclasses import dataclass, field
+from collections.abc import Collection, Iterator, Mapping
 from typing import Final
 
+from kernel.net.changes import Changes
 from kernel.net.graphlet import Graphlet, Term
 
 WORKING: Final = 0  # in working memory
@@ -94,26 +94,6 @@ class Node:
     def modifiers(self, role: str) -> Iterator[Node]:
         """Predicates that point here by the role, in order of arrival."""
         return (other for r, other in self.into if r == role)
-
-
-@dataclass(slots=True)
-class Changes:
-    """What became of the net since somebody last took note.
-
-    Attributes:
-        extended: nodes that are new or came into view, or got a word or a link: nothing that held is lost by it.
-        altered: nodes of which something else became different: level, belief, a word or a link taken away.
-        dropped: nodes that are gone; they still know their words and neighbours.
-        words: words that were taken from nodes.
-    """
-
-    extended: dict[Node, None] = field(default_factory=dict)
-    altered: dict[Node, None] = field(default_factory=dict)
-    dropped: dict[Node, None] = field(default_factory=dict)
-    words: dict[str, None] = field(default_factory=dict)
-
-    def __bool__(self) -> bool:
-        return bool(self.extended or self.altered or self.dropped)
 
 
 class Net:

@@ -91,7 +91,9 @@ def _derive(
             for key in keys:
                 if key not in best or best[key][0] < belief:
                     best[key] = belief, rule, plan, binding
-    settled = [(key, *entry) for key, entry in best.items() if not _suppressed(net, depth, key, *entry)]
+    settled = [
+        (key, *entry) for key, entry in best.items() if not _suppressed(net, depth, key, *entry)
+    ]
     for key, belief, rule, plan, binding in settled:
         if plan.alias:
             net.overlay(key[1], key[0], band, belief)

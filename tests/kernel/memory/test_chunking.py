@@ -101,7 +101,9 @@ def remembered(chance: random.Random, rules: list[Rule]) -> WorkingMemory:
     for _ in range(10):
         fact = parsed(filled(chance.choice(FACTS), tuple(chance.choice(WORDS) for _ in range(3))))
         one, two = chance.sample(things, 2)
-        memory.tell(fact, {n: t for n, t in (("obj-2", one), ("obj-3", two)) if n in fact.mentioned})
+        memory.tell(
+            fact, {n: t for n, t in (("obj-2", one), ("obj-3", two)) if n in fact.mentioned}
+        )
     for number, each in enumerate(rules, 1):
         memory.rules.add(Lesson(number, "rule", each))
     memory.refresh()
@@ -141,7 +143,9 @@ def test_where_both_conclude_in_two_steps_the_chunk_does_in_one(seed: int) -> No
         assert consolidated == canonical(consolidated)
         other = remembered(random.Random(seed), [consolidated])
         found = {repr(text_of(n, "")) for n in other.halo.nodes if n.level == BAND_1}
-        found |= {repr(text_of(n, w)) for n in other.net for w, at in n.halo_lex.items() if BAND_1 in at}
+        found |= {
+            repr(text_of(n, w)) for n in other.net for w, at in n.halo_lex.items() if BAND_1 in at
+        }
         if item[1] and item[0].rule:  # a further word of a conclusion: a conclusion of that word
             wanted = ([item[1]], item[0].negated, text_of(item[0], "")[2])
             assert repr(wanted) in found, write(consolidated)

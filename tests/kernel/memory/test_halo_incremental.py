@@ -23,7 +23,9 @@ THINGS = 3
 
 
 def parsed(text: str) -> Any:
-    return read("\n".join(line.strip() for line in textwrap.dedent(text).replace(";", "\n").splitlines()))
+    return read(
+        "\n".join(line.strip() for line in textwrap.dedent(text).replace(";", "\n").splitlines())
+    )
 
 
 SHAPES = (  # W, X, Y stand for words
@@ -131,9 +133,9 @@ class World:
 
 
 OPERATIONS = (
-    ("tell", "tell", "tell", "tell", "deny", "teach", "teach", "teach", "retract", "retire")
-    + ("weigh", "focus", "fade", "sense", "unsense", "name", "unname", "promote", "promote", "mention")
-)  # fmt: skip
+    "tell tell tell tell deny teach teach teach retract retire weigh focus fade sense unsense name unname"
+    " promote promote mention"
+).split()
 
 
 # Steps drawn by chance reach further than those that hypothesis makes small on purpose.

@@ -127,8 +127,9 @@ def test_reasons_go_with_what_rests_on_them(robot: Any) -> None:
 
 def test_two_used_steps_are_kept_as_a_rule_of_its_own_without_a_word(robot: Any) -> None:
     robot.teach(NO_GRABBING)
-    first, second = robot.teach(rule("girl", "child", belief=0.8)), robot.teach(
-        rule("child", "person", belief=0.9)
+    first, second = (
+        robot.teach(rule("girl", "child", belief=0.8)),
+        robot.teach(rule("child", "person", belief=0.9)),
     )
     robot.tell(*GIRL)
     before = len(robot.replies)
@@ -196,7 +197,9 @@ def test_a_check_and_a_look_up_promote_too(robot: Any) -> None:
     assert len(robot.records("promoted")) == 1
     robot.pass_time(40)
     robot.tell("hq-1 -lex- tall; -hq-> obj-2", "obj-2 -lex- mary")
-    robot.do("FIND[ obj-1; ako-2 -lex- person; -ako-> obj-1 ]; DO[ act-2 -lex- grab; -obj-> obj-1 ]")
+    robot.do(
+        "FIND[ obj-1; ako-2 -lex- person; -ako-> obj-1 ]; DO[ act-2 -lex- grab; -obj-> obj-1 ]"
+    )
     assert len(robot.records("promoted")) == 2
 
 
