@@ -100,6 +100,6 @@ def cross(candidates: int) -> float:
 
 
 def _timed(work: object) -> float:
-    began = time.perf_counter()
+    began = time.thread_time()
     work()  # type: ignore[operator]
-    return (time.perf_counter() - began) * 1e3
+    return (time.thread_time() - began) * 1e3

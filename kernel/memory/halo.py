@@ -140,7 +140,7 @@ class Halo:
         for binding in solutions(terms, self._net, BAND_1, bound, self._threshold):
             if plan is None:
                 plan = self._plans[rule] = Plan.of(rule.rule)
-            ident = (rule, *(binding[n] for n in plan.names))
+            ident = (rule, *map(binding.__getitem__, plan.names))
             if ident not in self._fired:
                 self._add(Instance.of(rule, plan, binding, self._threshold), ident)
 

@@ -83,17 +83,18 @@ class Reach:
         return [node] if any(other in self._mind for _, other in node.into) else []
 
     def _enter(self, nodes: Iterable[Node], there_before: Container[Node] = ()) -> None:
-        pending = list(nodes)
+        pending, mind, kept = list(nodes), self._mind, self._kept
         while pending:
             node = pending.pop()
-            if node in self._mind or not self._may_be(node):
+            if node in mind or not self._may_be(node):
                 continue
-            self._mind.add(node)
-            self._net.place(node, WORKING)
-            if node in self._kept and node not in there_before:
+            mind.add(node)
+            if node.level != WORKING:
+                self._net.place(node, WORKING)
+            if node in kept and node not in there_before:
                 self._entered(node)
-            pending += [other for _, other in node.links]
-            pending += [other for _, other in node.into if other in self._kept]
+            pending += [other for _, other in node.links if other not in mind]
+            pending += [other for _, other in node.into if other in kept and other not in mind]
 
     def _leave(self, suspects: list[Node]) -> None:
         """Put out of mind those that nothing in mind leads to any more, and in turn what only they led to."""

@@ -124,6 +124,6 @@ class _Matcher:
             if name in binding:
                 return list(binding[name].modifiers(role))
         if term.lex:
-            rarest = min(term.lex, key=lambda word: (len(self.net.with_word(word)), word))
-            return list(self.net.with_word(rarest))
+            words = sorted(term.lex) if len(term.lex) > 1 else term.lex
+            return list(min((self.net.with_word(word) for word in words), key=len))
         return list(self.net)
