@@ -81,13 +81,13 @@ class Halo:
         rules.weighed.clear()
         words = telling_words(changes)
         self._seed(changes)
-        self._review(words)
+        self._review(words, BAND_1)
         self._settle(BAND_1)
         changes = self._net.take_changes()
         if changes:
             self._withdraw(self._fired.resting_on((*changes.dropped, *changes.altered), BAND_2))
             self._seed(changes)
-            self._review(telling_words(changes))
+            self._review(telling_words(changes), BAND_2)
         self._settle(BAND_2)
         self._net.take_changes()  # band 2 concerns no rule
 
@@ -102,7 +102,7 @@ class Halo:
         self._settle(BAND_1)
         changes = self._net.take_changes()
         self._seed(changes)
-        self._review(telling_words(changes))
+        self._review(telling_words(changes), BAND_2)
         self._settle(BAND_2)
         self._net.take_changes()
 
@@ -169,15 +169,17 @@ class Halo:
         for key in instance.keys:
             self._unsettled[self._conclusions[key]] = None
 
-    def _review(self, words: Iterable[str]) -> None:
+    def _review(self, words: Iterable[str], least_band: int) -> None:
         """Look again at exceptions and at conclusions that may be known or denied otherwise now."""
         for word in sorted(w for w in words if w in self._by_word or self._fired.watching(w)):
             for instance in self._fired.watching(word):
                 blocked = self._excepted(instance)
-                if blocked != instance.blocked:
+                if blocked != instance.blocked and instance.band >= least_band:
                     instance.blocked = blocked
                     self._unsettle(instance)
-            self._unsettled |= self._by_word.get(word, {})
+            for conclusion in self._by_word.get(word, ()):
+                if conclusion.band >= least_band:
+                    self._unsettled[conclusion] = None
 
     def _excepted(self, instance: Instance) -> bool:
         return instance.excepted(self._net, instance.band - 1, self._threshold)

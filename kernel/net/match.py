@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Collection, Iterator, Mapping
 
 from kernel.net.graphlet import Graphlet, Term
 from kernel.net.node import Net, Node
@@ -125,5 +125,6 @@ class _Matcher:
                 return list(binding[name].modifiers(role))
         if term.lex:
             words = sorted(term.lex) if len(term.lex) > 1 else term.lex
-            return list(min((self.net.with_word(word) for word in words), key=len))
+            found: list[Collection[Node]] = [self.net.with_word(word) for word in words]
+            return list(found[0] if len(found) == 1 else sorted(found, key=len)[0])
         return list(self.net)
