@@ -157,7 +157,7 @@ class Commons:
         if key in self.pending:
             focus, change = self.pending.pop(key)
             if change.own:
-                self.record("error", focus, text=f"an adaptation was not kept: {why}")
+                self.record("error", focus, text=f"what I learned myself was not kept: {why}")
             else:
                 focus.failure = Failure("not_stored", None, why)
 

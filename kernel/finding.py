@@ -18,6 +18,7 @@ from kernel.net.graphlet import Graphlet
 from kernel.net.match import Binding
 from kernel.net.node import Node
 from kernel.stepping import RunningStep
+from kernel.using import use
 
 if TYPE_CHECKING:
     from kernel.running import Frame
@@ -48,6 +49,7 @@ def bindings(frame: Frame, find: Directive, later: Sequence[Directive]) -> Optio
         known = [option for option in known if option[graphlet.main] is meant]
     for option in known:
         tried.add(option[graphlet.main])
+        use(frame.commons, frame.focus, (graphlet,), option)
         frame.mention(option[graphlet.main])
         yield option
     if equal:

@@ -43,5 +43,5 @@ def suppose(graphlet: Graphlet, memory: WorkingMemory, binding: Binding) -> Hypo
     bound = instantiate(memory.net, graphlet, known)
     made = frozenset(node for name, node in bound.items() if name not in known)
     for node in made:
-        node.level = HYPOTHETICAL
+        memory.net.place(node, HYPOTHETICAL)
     return Hypothesis(memory.net, bound[graphlet.main], made, bound)

@@ -141,7 +141,9 @@ def transplant(old: Commons, new: Commons, speaker: str) -> None:
 
     The policy is the old one itself: nothing is learned in imagination, as nothing is stored there.
     """
-    new.policy, new.operators, new.memory.rules = old.policy, old.operators, old.memory.rules
+    old.memory.refresh()
+    new.policy, new.operators = old.policy, old.operators
+    new.memory.share(old.memory.rules)
     _retell(old.memory, new.memory)
     new.memory.person_speaking(speaker)
     new.chance.setstate(old.chance.getstate())

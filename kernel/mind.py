@@ -147,6 +147,8 @@ class Mind:
         for heard in inputs.heard:
             self._hear(heard)
         self._think()
+        for gone in commons.memory.take_lost():
+            commons.record("fact", None, text=" ".join(sorted(gone.words())), lost=True)
         winners = self._arbitrate(now_s)
         self._fade(now_s)
         commons.recent.say(commons.replies)

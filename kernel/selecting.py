@@ -15,6 +15,7 @@ from kernel.memory.wondering import SEEKING_VERBS
 from kernel.net.graphlet import Graphlet
 from kernel.net.match import Binding, holds, matches
 from kernel.net.node import Node
+from kernel.using import use
 
 ALWAYS_CONSIDERED: Final = ("ANTE", "POST", "ALLOW")
 
@@ -57,9 +58,10 @@ class Selection:
         memory = self.commons.memory
         memory.refresh()
         if tag == "NOTE":
-            lessons: Iterator[Lesson] = self.commons.operators.for_fact(memory.net)
+            nodes = memory.resting_on(self.facts)
+            lessons: Iterator[Lesson] = self.commons.operators.for_facts(nodes, memory.net)
         elif self.node is not None:
-            lessons = self.commons.operators.for_node(tag, self.node)
+            lessons = self.commons.operators.for_node(tag, self.node, memory.net)
         else:
             return
         self.ruled_out = False
@@ -89,7 +91,7 @@ class Selection:
     def _searching(self) -> Iterator[Lesson]:
         """How a thing is found is advice for the act of finding it, too."""
         if (thing := self._sought()) is not None:
-            yield from self.commons.operators.for_node("FIND", thing)
+            yield from self.commons.operators.for_node("FIND", thing, self.commons.memory.net)
 
     def _threshold_for(self, operator: Operator) -> float:
         """A prohibition counts weak premises, a permission only strong ones (mind.md)."""
@@ -179,6 +181,7 @@ class Selection:
         for permission in by:
             if speakers and _named_teller(permission.operator):
                 continue
+            use(self.commons, self.focus, permission.operator.asks, permission.binding)
             self.commons.record("permitted", self.focus, by=permission.lesson.words)
             return True
         named = [permission for permission in by if _named_teller(permission.operator)]

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from functools import partial
 from typing import TYPE_CHECKING, Final
 
 from kernel import adapting
@@ -18,7 +19,7 @@ from kernel.memory.inference import of_match
 from kernel.memory.lesson import Lesson
 from kernel.memory.manner import inherit, left_over
 from kernel.memory.meaning import Question
-from kernel.memory.recall import answer, is_so, known, named, now_so
+from kernel.memory.recall import Notice, answer, is_so, known, named, now_so, unnoticed
 from kernel.memory.reply import Answer, Failed, Reason
 from kernel.memory.wondering import asked_for, spelled_out
 from kernel.net.match import matches
@@ -26,6 +27,7 @@ from kernel.net.node import Node, describe
 from kernel.remembering import occasion_of
 from kernel.selecting import Chosen, Selection, names_act
 from kernel.stopping import stop_matching
+from kernel.using import use
 
 if TYPE_CHECKING:
     from kernel.running import Frame
@@ -129,6 +131,7 @@ class RunningStep:
             self.commons.record(
                 "chosen", self.focus, tag=tag, lesson=choice.lesson.ident, depth=depth
             )
+            use(self.commons, self.focus, choice.operator.asks, choice.binding)
             if tag == "ANTE" and choice.operator.prohibits:
                 self.prohibit(choice)
             yield choice
@@ -232,7 +235,10 @@ class RunningStep:
         graphlet, threshold = self.directive.graphlet, self.selection.threshold
         if graphlet is None:
             return False
-        return now_so(graphlet, self.commons.memory, self.frame.binding, threshold) is not None
+        so = now_so(graphlet, self.commons.memory, self.frame.binding, threshold)
+        if so:
+            use(self.commons, self.focus, (graphlet,), so)
+        return so is not None
 
     def truth(self) -> bool | None:
         """CHK from memory."""
@@ -246,6 +252,7 @@ class RunningStep:
                 pattern, memory.net, memory.depth, bound, self.selection.threshold
             ):
                 if is_so(binding):
+                    use(self.commons, self.focus, (pattern,), binding)
                     self.frame.binding = {**self.frame.binding, **binding}
                     return verdict
         return None
@@ -299,14 +306,16 @@ class RunningStep:
     def answer(self) -> None:
         """Reply to the focus's question."""
         if (question := self._question()) is not None:
-            self.commons.replies.append(self._recalled(question))
+            self.commons.replies.append(
+                self._recalled(question, partial(use, self.commons, self.focus))
+            )
 
-    def _recalled(self, question: Question) -> Answer:
+    def _recalled(self, question: Question, notice: Notice = unnoticed) -> Answer:
         memory = self.commons.memory
         for node in named(question.about, memory):
             self.frame.mention(node)
         memory.refresh()
-        return answer(question, memory)
+        return answer(question, memory, notice)
 
     def times(self) -> int:
         """The count under the action node."""

@@ -59,6 +59,12 @@ class Operator:
         return self.trigger.tag == "ANTE" and any(d.tag == "PUNT" for d in self.chain.directives())
 
     @property
+    def asks(self) -> tuple[Graphlet, ...]:
+        """Everything that has to hold for it to apply."""
+        trigger = self.trigger.graphlet
+        return self.enablement if trigger is None else (trigger, *self.enablement)
+
+    @property
     def forbids(self) -> bool:
         """It prohibits without looking first: no CHK stands before its PUNT."""
         return self.prohibits and not any(d.tag == "CHK" for d in self.chain.directives())

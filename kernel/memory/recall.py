@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from typing import Final
 
 from kernel.action.chain import Directive
@@ -139,8 +139,19 @@ def now_so(
     return {} if denied and found(graphlet.denied()) is None else None
 
 
-def answer(question: Question, memory: WorkingMemory) -> Answer:
-    """What memory has to say to a question about what is so."""
+Notice = Callable[[Iterable[Graphlet], Binding], None]  # told of a match that something rests on
+
+
+def unnoticed(patterns: Iterable[Graphlet], binding: Binding) -> None:
+    """Nobody minds what an answer rests on."""
+
+
+def answer(
+    question: Question,
+    memory: WorkingMemory,
+    use: Notice = unnoticed,
+) -> Answer:
+    """What memory has to say to a question about what is so. use: told of every match that the answer rests on."""
     about = question.about
     if question.topic == "identity":
         names = memory.user.lex - {"me"}
@@ -151,14 +162,16 @@ def answer(question: Question, memory: WorkingMemory) -> Answer:
         for pattern, positive in ((about, True), (about.denied(), False)):
             for binding in filter(is_so, matches(pattern, memory.net, REMEMBERED)):
                 memory.mention(binding[about.main])
+                use((pattern,), binding)
                 return Answer(
                     question, "yes" if positive else "no", (describe(binding[about.main]),)
                 )
         return Answer(question, "unknown")
     found = []
-    for binding in holding(about, memory):
+    for binding in list(holding(about, memory)):
         wanted = binding.get(question.wanted or about.main)
         if wanted is not None and wanted not in found:
+            use((about,), binding)
             found.append(wanted)
     described = tuple(describe(node) for node in found)
     return Answer(question, "found" if found else "unknown", described)

@@ -10,10 +10,22 @@ from collections.abc import Callable, Iterable
 from typing import Final
 
 from kernel.memory.halo import Halo
+from kernel.memory.instance import telling_words
+from kernel.memory.promotion import Item, Promotions, Step
+from kernel.memory.reach import Reach
 from kernel.memory.rules import RuleBook
 from kernel.net.graphlet import Graphlet
 from kernel.net.match import Binding, matches
-from kernel.net.node import BAND_2, HYPOTHETICAL, REMEMBERED, WORKING, Net, Node, instantiate
+from kernel.net.node import (
+    BAND_1,
+    BAND_2,
+    HYPOTHETICAL,
+    REMEMBERED,
+    Net,
+    Node,
+    describe,
+    instantiate,
+)
 
 TOLD_LIMIT: Final = 1000  # mind.md: told facts a session keeps
 
@@ -25,14 +37,18 @@ class WorkingMemory:
         net: all nodes.
         me: the robot ("you" to a person); user: the node of the person speaking.
         told: facts by their main node, least recently mentioned first, with the nodes that carry them.
+        promotions: conclusions that were used.
     """
 
     def __init__(self, roots: Callable[[], Iterable[Node]], parts: Iterable[str] = ()) -> None:
         """roots: nodes of the foci in attention; parts: nouns of the body ("gripper")."""
         self.net = Net()
         self.rules = RuleBook()
-        self.halo = Halo(self.net)
+        self.halo = Halo(self.net, self.rules)
+        self.promotions = Promotions(self.net, self.halo, self.rules)
         self.told: dict[Node, tuple[Node, ...]] = {}
+        self._lost: list[Graphlet] = []
+        self._reach = Reach(self.net, self.mention)
         self._roots = roots
         self._sensed: dict[str, tuple[Node, ...]] = {}
         self._sensed_names: Binding = {}
@@ -42,6 +58,14 @@ class WorkingMemory:
         self.user = self._anyone
         self._parts: dict[str, Node] = {}
         self._born = frozenset(node for part in parts for node in self._part(part))
+        self._reach.keep(self._born)
+
+    def share(self, rules: RuleBook) -> None:
+        """Conclude by the rules of another mind, which must not change meanwhile; before anything else is done."""
+        self.rules = rules
+        self.halo = Halo(self.net, rules)
+        self.promotions = Promotions(self.net, self.halo, rules)
+        self.changed()
 
     def _part(self, noun: str) -> tuple[Node, ...]:
         thing = self._parts[noun] = self.net.new("obj")
@@ -55,29 +79,45 @@ class WorkingMemory:
 
     def refresh(self) -> None:
         """Bring levels and halo up to date; cheap when nothing changed."""
-        if not self._stale:
+        if not self._stale and not self.net.changes and not self.rules.changed:
             return
         self._stale = False
-        self.halo.clear()
-        kept = self._kept()
-        for node in kept:
-            node.level = REMEMBERED
-        pending = [self.me, self.user, *self._roots()]
-        pending += [node for group in self._sensed.values() for node in group]
-        seen: set[Node] = set()
+        self._reach.update(self._in_attention())
+        while self.promotions and self.promotions.prune(telling_words(self.net.changes)):
+            self._reach.update(self._in_attention())
+        self.halo.update(self.net.take_changes())
+
+    def resting_on(self, facts: Iterable[Node]) -> dict[Node, None]:
+        """The facts with everything that is concluded from them."""
+        found = dict.fromkeys(facts)
+        pending = list(found)
         while pending:
             node = pending.pop()
-            if node in seen or node.level == HYPOTHETICAL:
-                continue
-            seen.add(node)
-            node.level = WORKING
-            pending += [other for _, other in node.links]
-            pending += [other for _, other in node.into if other in kept]
-        self.halo.derive(self.rules)
+            for other in (*self.halo.resting_on(node), *self.promotions.resting_on(node)):
+                if other not in found:
+                    found[other] = None
+                    pending.append(other)
+        return found
 
-    def _kept(self) -> set[Node]:
-        groups = (*self.told.values(), *self._sensed.values())
-        return {node for group in groups for node in group} | self._born
+    def rebuild(self) -> None:
+        """Work out afresh what is in mind and what follows; the outcome is that of `refresh`."""
+        self.refresh()
+        self._reach.rebuild(self._in_attention())
+        self.halo.rebuild()
+
+    def _in_attention(self) -> dict[Node, None]:
+        roots = dict.fromkeys((self.me, self.user))
+        roots |= dict.fromkeys(self._roots())
+        for group in self._sensed.values():
+            roots |= dict.fromkeys(group)
+        return roots
+
+    def promote(self, items: Iterable[Item], holder: dict[Node, None]) -> list[Step]:
+        """Take conclusions that were used into working memory; see Promotions.promote."""
+        steps = self.promotions.promote(items, holder)
+        if steps:
+            self.changed()
+        return steps
 
     def persons(self, graphlet: Graphlet, binding: Binding) -> Binding:
         """The binding with "you" bound to the robot itself and "me" to the speaker."""
@@ -112,7 +152,7 @@ class WorkingMemory:
                 self.mention(same[fact.main])
                 for term in fact.terms:
                     if term.name not in binding:
-                        same[term.name].belief = term.belief
+                        self.net.believe(same[term.name], term.belief)
                 self.changed()
                 return same, self.told[same[fact.main]]
         bound = self.instantiate(fact, binding)
@@ -122,13 +162,21 @@ class WorkingMemory:
         return bound, carrying
 
     def _remember(self, group: tuple[Node, ...]) -> None:
+        self._reach.release(self.told.get(group[0], ()))
+        self._reach.keep(group)
         self.told[group[0]] = group
         while len(self.told) > TOLD_LIMIT:
             oldest = next(iter(self.told))
+            self._lost.append(describe(oldest))
             about = [other for node in self.told[oldest] for _, other in node.links]
             self.retract(oldest)
             self.forget(about)
         self.changed()
+
+    def take_lost(self) -> list[Graphlet]:
+        """Told facts that had to make room since the last call, for the log."""
+        lost, self._lost = self._lost, []
+        return lost
 
     def remember_description(self, nodes: Iterable[Node]) -> None:
         """Keep the nodes that describe something a fact is about, as long as any told fact is kept."""
@@ -145,9 +193,13 @@ class WorkingMemory:
             self.told[main] = self.told.pop(main)
 
     def retract(self, main: Node) -> None:
-        """Take a told fact back."""
-        for node in self.told.pop(main, ()):
-            self.net.drop(node)
+        """Take a told fact back. Things of it that others speak of as well stay."""
+        group = self.told.pop(main, ())
+        self._reach.release(group)
+        for node in group:
+            elsewhere = any(other not in group for _, other in node.into)
+            if node is main or not (elsewhere or self._reach.is_kept(node)):
+                self.net.drop(node)
         self.changed()
 
     def is_part(self, node: Node) -> bool:
@@ -163,23 +215,25 @@ class WorkingMemory:
                 known = self._called(word)
                 named[term.name] = known[0] if known else self.net.from_term(term)
         _, carrying = self.tell(fact, named)
-        for node in named.values():
-            self.told[carrying[0]] = tuple(dict.fromkeys((*self.told[carrying[0]], node)))
+        self._remember(tuple(dict.fromkeys((*self.told[carrying[0]], *named.values()))))
         return carrying[0]
 
     def forget(self, nodes: Iterable[Node]) -> None:
         """Drop nodes of a focus that has faded, but for what was told or sensed, what that is about, and what other
         foci mention."""
-        kept = self._kept() | set(self._roots())
+        held = set(self._roots())
         for node in nodes:
             is_person = node is self.me or node.kind == "user"
-            if not (
-                is_person
-                or node in kept
-                or any(role != "cmd" and other in kept for role, other in node.into)
-            ):
+            concluded = node.level in (BAND_1, BAND_2)  # the halo's own
+            if not (is_person or concluded or node in held or self._is_kept(node)):
                 self.net.drop(node)
         self.changed()
+
+    def _is_kept(self, node: Node) -> bool:
+        """Told, sensed or born, or what something of that sort is about."""
+        return self._reach.is_kept(node) or any(
+            role != "cmd" and self._reach.is_kept(other) for role, other in node.into
+        )
 
     # -- what is sensed --------------------------------------------------------------------
 
@@ -203,12 +257,14 @@ class WorkingMemory:
         new = {name: node for name, node in bound.items() if name not in known}
         self._sensed_names |= new
         self._sensed[key] = tuple(new.values())
+        self._reach.keep(self._sensed[key])
         self.changed()
         return self._sensed[key]
 
     def unsense(self, key: str) -> None:
         """The sensor does not say so any more."""
         gone = self._sensed.pop(key, ())
+        self._reach.release(gone)
         for node in gone:
             self.net.drop(node)
         self._sensed_names = {n: node for n, node in self._sensed_names.items() if node not in gone}

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Collection, Iterator, Mapping
 
 from kernel.net.graphlet import Graphlet, Term
 from kernel.net.node import Net, Node
@@ -27,11 +27,24 @@ def matches(
         threshold: nodes of a lower belief do not count.
         supposed: nodes that count whatever their level (kernel.hypothesis).
     """
-    for term in graphlet.terms:
-        if term.lex and not all(map(net.has_word, term.lex)):
-            return
-    matcher = _Matcher(net, depth, threshold, supposed)
-    yield from matcher.solve(list(graphlet.terms), dict(bound or {}))
+    terms = list(graphlet.terms)
+    for term in terms:
+        for word in term.lex:
+            if not net.has_word(word):
+                return
+    yield from solutions(terms, net, depth, dict(bound) if bound else {}, threshold, supposed)
+
+
+def solutions(
+    terms: list[Term],
+    net: Net,
+    depth: int,
+    bound: Binding,
+    threshold: float,
+    supposed: frozenset[Node] = frozenset(),
+) -> Iterator[Binding]:
+    """As `matches`, for a caller who knows that every word is there and gives terms and binding away."""
+    return _Matcher(net, depth, threshold, supposed).solve(terms, bound)
 
 
 def holds(
@@ -46,20 +59,25 @@ def holds(
 
 
 class _Matcher:
+    __slots__ = ("depth", "net", "supposed", "threshold")
+
     def __init__(self, net: Net, depth: int, threshold: float, supposed: frozenset[Node]) -> None:
         self.net, self.depth, self.threshold, self.supposed = net, depth, threshold, supposed
 
     def solve(self, pending: list[Term], binding: Binding) -> Iterator[Binding]:
         if not pending:
-            yield dict(binding)
+            yield binding
             return
-        term = min(pending, key=lambda t: self.cost(t, pending, binding))
+        term = pending[0] if len(pending) == 1 else self.next_term(pending, binding)
         rest = [other for other in pending if other is not term]
         bound = binding.get(term.name)
-        candidates = (bound,) if bound is not None else self.candidates(term, pending, binding)
-        taken = set(binding.values())
-        for node in candidates:
-            if (node is bound or node not in taken) and self.fits(term, node):
+        if bound is not None:
+            if self.fits(term, bound):
+                yield from self.follow(term.links, bound, rest, binding)
+            return
+        taken = binding.values()
+        for node in self.candidates(term, binding):
+            if self.fits(term, node) and node not in taken:
                 yield from self.follow(term.links, node, rest, {**binding, term.name: node})
 
     def follow(
@@ -69,49 +87,54 @@ class _Matcher:
         if not links:
             yield from self.solve(rest, binding)
             return
-        (role, name), *others = links
+        (role, name), others = links[0], links[1:]
         target = binding.get(name)
-        for other in node.to(role):
+        for r, other in node.links:
+            if r != role:
+                continue
             if other is target:
-                yield from self.follow(tuple(others), node, rest, binding)
+                yield from self.follow(others, node, rest, binding)
             elif target is None and self.counts(other) and other not in binding.values():
-                yield from self.follow(tuple(others), node, rest, {**binding, name: other})
+                yield from self.follow(others, node, rest, {**binding, name: other})
 
     def counts(self, node: Node) -> bool:
         return node.level <= self.depth or node in self.supposed
 
     def fits(self, term: Term, node: Node) -> bool:
-        return (
-            self.counts(node)
-            and node.negated == term.negated
-            and node.belief >= self.threshold
-            and (term.literal is None or node.literal == term.literal)
-            and all(node.known_as(word, self.depth) for word in term.lex)
-        )
-
-    def cost(self, term: Term, pending: list[Term], binding: Binding) -> tuple[int, int]:
-        """Bound terms first, then those that touch a bound node, then those with the rarest word."""
-        if term.name in binding:
-            return (0, 0)
-        if any(name in binding for _, name in term.links) or self.pointed_from(
-            term, pending, binding
+        if (
+            (node.level > self.depth and node not in self.supposed)
+            or node.negated != term.negated
+            or node.belief < self.threshold
+            or (term.literal is not None and node.literal != term.literal)
         ):
-            return (1, -len(term.lex))
-        if term.lex:
-            return (2, min(len(list(self.net.with_word(word))) for word in term.lex))
-        return (3, -len(term.links))
+            return False
+        for word in term.lex:
+            if word not in node.lex and not node.known_as(word, self.depth, self.threshold):
+                return False
+        return True
 
-    def pointed_from(self, term: Term, pending: list[Term], binding: Binding) -> bool:
-        return any(
-            other.name in binding and any(name == term.name for _, name in other.links)
-            for other in pending
-        )
+    def next_term(self, pending: list[Term], binding: Binding) -> Term:
+        """Bound terms first, then those that point to a bound node, then those with the rarest word."""
+        best, least = pending[0], (9, 0)
+        for term in pending:
+            if term.name in binding:
+                return term
+            if any(name in binding for _, name in term.links):
+                cost = (1, -len(term.lex))
+            elif term.lex:
+                cost = (2, min(len(self.net.with_word(word)) for word in term.lex))
+            else:
+                cost = (3, -len(term.links))
+            if cost < least:
+                best, least = term, cost
+        return best
 
-    def candidates(self, term: Term, pending: list[Term], binding: Binding) -> list[Node]:
+    def candidates(self, term: Term, binding: Binding) -> list[Node]:
         for role, name in term.links:
             if name in binding:
                 return list(binding[name].modifiers(role))
         if term.lex:
-            rarest = min(term.lex, key=lambda word: len(list(self.net.with_word(word))))
-            return list(self.net.with_word(rarest))
+            words = sorted(term.lex) if len(term.lex) > 1 else term.lex
+            found: list[Collection[Node]] = [self.net.with_word(word) for word in words]
+            return list(found[0] if len(found) == 1 else sorted(found, key=len)[0])
         return list(self.net)

@@ -7,12 +7,16 @@ from typing import Any
 import pytest
 
 from kernel.action.call import MoveGrip, MoveLift, Rotate, Speak, Travel
+from kernel.memory.attention import ROOM
 from kernel.memory.exchange import Inputs
 from kernel.memory.lesson import Lesson
 from kernel.memory.meaning import Social
 from kernel.memory.reply import Failed, Greeted, Halted
 from kernel.memory.settings import Settings
+from kernel.memory.working import TOLD_LIMIT
 from kernel.mind import Mind
+from kernel.net.node import WORKING
+from tests.kernel.conftest import net
 
 MakeLesson = Callable[..., Lesson]
 
@@ -306,6 +310,49 @@ def test_thirty_two_activities_then_a_command_is_refused_aloud(robot: Any) -> No
     assert [r.data["words"] for r in robot.records("error")] == [FORWARD]
     robot.pass_time(21)
     assert robot.do(FORWARD) == [Travel(0.2, 1.0)]
+
+
+def test_no_room_is_said_and_logged(robot: Any) -> None:
+    for _ in range(ROOM + 1):
+        robot.command(WAIT.format(20))
+    robot.tick()
+    assert len(robot.mind._attention.active()) == ROOM
+    (record,) = robot.records("error")
+    assert record.data["text"] == "attention is full"
+
+
+def test_what_is_sensed_evicts_the_oldest_idle_focus(robot: Any) -> None:
+    for number in range(ROOM):
+        robot.command(WAIT.format(20) if number % 2 else FORWARD)
+    robot.pass_time(5)
+    robot.stop()
+    robot.tick()
+    before = list(robot.mind._attention)
+    robot.feel(range_m=0.1)
+    robot.tick()
+    after = list(robot.mind._attention)
+    assert len(after) == ROOM
+    assert after[1:] == before[:-1]
+
+
+def test_a_told_fact_that_has_to_make_room_is_logged(robot: Any) -> None:
+    for number in range(TOLD_LIMIT + 1):
+        thing = robot.mind.memory.net.new("obj", f"thing{number}")
+        robot.mind.memory.tell(net("hq-1 -lex- tall; -hq-> obj-2"), {"obj-2": thing})
+    robot.tick()
+    (record,) = (r for r in robot.records("fact") if r.data.get("lost"))
+    assert record.data["text"] == "tall thing0"
+
+
+def test_a_told_fact_comes_to_mind_with_what_it_is_about(robot: Any) -> None:
+    robot.tell("ako-1 -lex- girl; -ako-> obj-2", "obj-2 -lex- mary")
+    girl = "ako-1 -lex- girl; -ako-> obj-2"
+    assert robot.believes(girl, WORKING)
+    robot.pass_time(40)
+    assert not robot.believes(girl, WORKING)
+    robot.command("FIND[ obj-1 -lex- mary ]; DO[ act-2 -lex- grab; -obj-> obj-1 ]")
+    robot.tick()
+    assert robot.believes(girl, WORKING)
 
 
 def test_what_is_sensed_finds_room_all_the_same(robot: Any) -> None:

@@ -124,3 +124,61 @@ def test_joins_need_every_condition_on_the_same_thing(robot: Any) -> None:
     robot.tell("hq-1 -lex- tall; -hq-> obj-2", "obj-2 -lex- mary")
     assert robot.believes(kind("star"))
     assert not robot.believes(kind("star").replace("mary", "rick"))
+
+
+def test_an_exception_that_is_itself_concluded_holds_the_second_step_back(robot: Any) -> None:
+    extra = "unless: hq-4 -lex- wooden; -hq-> obj-2; "
+    robot.teach(rule("girl", "child"))
+    robot.teach(rule("child", "person", extra=extra))
+    robot.teach(
+        "if: hq-1 -lex- stiff; -hq-> obj-2; then: hq-3 -lex- wooden; -hq-> obj-2; belief: 1.0"
+    )
+    robot.tell(*GIRL)
+    assert robot.believes(kind("person"))
+    robot.tell("hq-1 -lex- stiff; -hq-> obj-2", "obj-2 -lex- mary")
+    assert not robot.believes(kind("person"))
+    robot.tell("hq-1 -lex- stiff; -neg- yes; -hq-> obj-2", "obj-2 -lex- mary")
+    assert robot.believes(kind("person"))
+
+
+def test_of_several_rules_the_one_that_is_believed_most_counts(robot: Any) -> None:
+    robot.teach(rule("girl", "person", belief=0.6))
+    sure = robot.teach(rule("child", "person", belief=0.9))
+    robot.tell(*GIRL)
+    robot.tell("ako-1 -lex- child; -ako-> obj-2", "obj-2 -lex- mary")
+    memory = robot.mind.memory
+    memory.refresh()
+    (node,) = memory.halo.nodes
+    assert (node.belief, node.rule) == (0.9, sure.ident)
+    memory.rules.believe(sure, 0.4)
+    memory.refresh()
+    assert node.belief == pytest.approx(0.6)
+
+
+def test_an_alias_counts_no_further_than_it_is_believed(robot: Any) -> None:
+    robot.teach("if: hq-1 -lex- crimson; then: hq-1 -lex- red; belief: 0.3")
+    robot.tell("hq-1 -lex- crimson; -hq-> obj-2", "obj-2 -lex- mary")
+    assert not robot.believes("hq-1 -lex- red; -hq-> obj-2; obj-2 -lex- mary")
+
+
+def test_what_was_told_beats_an_alias_too(robot: Any) -> None:
+    red = "hq-1 -lex- red; -hq-> obj-2; obj-2 -lex- mary"
+    robot.teach("if: hq-1 -lex- crimson; then: hq-1 -lex- red; belief: 1.0")
+    robot.tell("hq-1 -lex- crimson; -hq-> obj-2", "obj-2 -lex- mary")
+    assert robot.believes(red)
+    robot.tell("hq-1 -lex- red; -neg- yes; -hq-> obj-2", "obj-2 -lex- mary")
+    assert not robot.believes(red)
+
+
+def test_a_second_step_goes_with_the_alias_it_rests_on(robot: Any) -> None:
+    alias = robot.teach("if: hq-1 -lex- crimson; then: hq-1 -lex- red; belief: 1.0")
+    robot.teach(
+        "if: hq-1 -lex- red; -hq-> obj-2; then: ako-3 -lex- danger; -ako-> obj-2; belief: 1.0"
+    )
+    robot.tell("hq-1 -lex- crimson; -hq-> obj-2", "obj-2 -lex- mary")
+    assert robot.believes(kind("danger"))
+    robot.mind.memory.rules.believe(alias, 0.3)
+    assert not robot.believes(kind("danger"))
+    robot.mind.memory.rules.remove(alias)
+    robot.mind.memory.refresh()
+    assert not robot.mind.memory.halo.nodes

@@ -51,3 +51,36 @@ def test_they_come_in_the_order_of_teaching_however_many_words_are_in_mind(
 def test_an_operator_is_no_rule(lesson: MakeLesson) -> None:
     with pytest.raises(TypeError):
         RuleBook().add(lesson("trig: DO[ act-1 -lex- dance ]; pref: 1.0; ---"))
+
+
+def test_a_retired_rule_is_not_tried_and_rules_are_counted(lesson: MakeLesson) -> None:
+    book, net = RuleBook(), Net()
+    girl = lesson(rule("girl", "small"))
+    book.add(girl)
+    net.new("ako", "girl")
+    assert len(book) == 1
+    for _ in range(2):
+        book.remove(girl)
+    assert len(book) == 0
+    assert list(book.candidates(net)) == []
+
+
+def test_an_equal_rule_is_known_whatever_its_belief(lesson: MakeLesson) -> None:
+    book = RuleBook()
+    sure, unsure = lesson(rule("girl", "small")), lesson(rule("girl", "small")[:-3] + "0.3")
+    book.add(sure)
+    assert not book.is_new(unsure.content)
+    assert book.is_new(lesson(rule("girl", "tall")).content)
+    book.remove(sure)
+    assert book.is_new(unsure.content)
+
+
+def test_a_belief_that_was_adapted_is_kept_apart_from_the_taught_one(lesson: MakeLesson) -> None:
+    book = RuleBook()
+    girl = lesson(rule("girl", "small"))
+    book.add(girl, belief=0.4)
+    there = book.get(girl.ident)
+    assert there is not None
+    assert (there.strength, there.rule.belief) == (0.4, 1.0)
+    book.believe(girl, 0.9)
+    assert there.strength == 0.9

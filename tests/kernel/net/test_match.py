@@ -31,7 +31,8 @@ def memories(draw: st.DrawFn) -> Net:
         if start != end:
             net.link(nodes[start], role, nodes[end])
     for index in draw(st.sets(indices, max_size=2)):
-        net.overlay(nodes[index], draw(st.sampled_from(WORDS)), BAND_1)
+        belief = draw(st.sampled_from((1.0, 0.3)))
+        net.overlay(nodes[index], draw(st.sampled_from(WORDS)), BAND_1, belief)
     return net
 
 
@@ -68,7 +69,12 @@ def exhaustive(
 
 def _fits(term: Term, binding: Binding, depth: int, threshold: float) -> bool:
     node = binding[term.name]
-    words = node.lex | {word for word, band in node.halo_lex.items() if band <= depth}
+    concluded = {
+        word
+        for word, levels in node.halo_lex.items()
+        if any(level <= depth and belief >= threshold for level, belief in levels.items())
+    }
+    words = node.lex | concluded
     return (
         node.level <= depth
         and term.lex <= words

@@ -4,7 +4,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from kernel.net.graphlet import Sketch
-from kernel.net.node import BAND_1, BAND_2, WORKING, Net, describe, instantiate
+from kernel.net.node import BAND_1, BAND_2, REMEMBERED, WORKING, Net, describe, instantiate
 
 WORDS = ("a", "b", "c")
 
@@ -28,17 +28,49 @@ def test_a_concluded_word_is_known_from_its_band_on_and_goes_without_a_trace() -
         True,
     ]
     assert net.has_word("rotate")
-    net.clear_overlay()
+    net.lift(node, "rotate", BAND_2)
     assert node.words() == {"turn"}
     assert not net.has_word("rotate")
 
 
-def test_clearing_conclusions_leaves_a_word_that_was_told_meanwhile() -> None:
+def test_a_word_that_two_bands_conclude_goes_with_the_second() -> None:
+    net = Net()
+    node = net.new("act", "turn")
+    net.overlay(node, "rotate", BAND_1, 0.3)
+    net.overlay(node, "rotate", BAND_2, 0.9)
+    assert not node.known_as("rotate", BAND_1, 0.5)
+    assert node.known_as("rotate", BAND_2, 0.5)
+    net.lift(node, "rotate", BAND_1)
+    assert net.has_word("rotate")
+    net.lift(node, "rotate", BAND_2)
+    net.lift(node, "rotate", BAND_2)
+    assert not net.has_word("rotate")
+
+
+def test_every_change_is_noted_once() -> None:
+    net = Net()
+    thing, other = net.new("obj", "mary"), net.new("obj")
+    changes = net.take_changes()
+    assert list(changes.extended) == [thing, other]
+    assert not net.changes
+    net.link(thing, "near", other)
+    net.believe(other, 0.5)
+    net.unname(thing, "mary")
+    changes = net.take_changes()
+    assert (list(changes.extended), list(changes.altered)) == ([thing], [other, thing])
+    assert list(changes.words) == ["mary"]
+    net.place(other, REMEMBERED)
+    net.drop(other)
+    changes = net.take_changes()
+    assert (list(changes.altered), list(changes.dropped)) == ([thing], [other])
+
+
+def test_lifting_conclusions_leaves_a_word_that_was_told_meanwhile() -> None:
     net = Net()
     node = net.new("act", "turn")
     net.overlay(node, "rotate", BAND_1)
     net.name(node, "rotate")
-    net.clear_overlay()
+    net.lift(node, "rotate", BAND_1)
     assert list(net.with_word("rotate")) == [node]
 
 
@@ -90,7 +122,7 @@ def test_a_description_is_bounded_and_whole() -> None:
     assert told.mentioned == told.names
 
 
-@given(st.lists(st.tuples(st.sampled_from(["new", "name", "unname", "overlay", "clear", "drop"]),
+@given(st.lists(st.tuples(st.sampled_from(["new", "name", "unname", "overlay", "lift", "drop"]),
                           st.integers(0, 5), st.sampled_from(WORDS)), max_size=40))  # fmt: skip
 def test_the_index_is_always_what_a_search_would_find(steps: list[tuple[str, int, str]]) -> None:
     net = Net()
@@ -99,8 +131,8 @@ def test_the_index_is_always_what_a_search_would_find(steps: list[tuple[str, int
         node = nodes[index % len(nodes)] if nodes else None
         if what == "new" or node is None:
             net.new("obj", word)
-        elif what == "clear":
-            net.clear_overlay()
+        elif what == "lift":
+            net.lift(node, word, BAND_1)
         elif what == "drop":
             net.drop(node)
         elif what == "name":
