@@ -21,7 +21,8 @@ from kernel.memory.attention import Failure, Focus
 from kernel.memory.looking import seen
 from kernel.memory.meaning import Command
 from kernel.memory.reply import Reason, Saw
-from kernel.net.node import MODIFIER_ROLES, Node, descriptions
+from kernel.net.describing import descriptions
+from kernel.net.node import MODIFIER_ROLES, Node
 
 _MOTION_REASONS: Final[dict[str, Reason]] = {
     "link_lost": "link_lost",

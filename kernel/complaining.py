@@ -14,8 +14,9 @@ from kernel.commons import Commons
 from kernel.memory.attention import Failure, Focus
 from kernel.memory.lesson import Operator
 from kernel.memory.reply import Failed, Refused, Reply
+from kernel.net.describing import describe
 from kernel.net.graphlet import Graphlet, Term
-from kernel.net.node import Node, describe
+from kernel.net.node import Node
 from kernel.running import Frame
 from kernel.stepping import RunningStep
 

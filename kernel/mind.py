@@ -9,37 +9,34 @@ import random
 from collections.abc import Callable, Iterable
 from typing import Final
 
-from kernel.action.arbiter import PATIENCE_S, arbitrate
-from kernel.action.call import GROUNDINGS, Bid, Halt
-from kernel.action.chain import Directive, sequence
 from kernel.action.discover import load_all
 from kernel.action.sensing import SENSES
 from kernel.action.step import Run
 from kernel.action.verdict import Verdict
+from kernel.arbitrating import Arbitration
 from kernel.asking import Asking, answer
 from kernel.attending import attend, notice
 from kernel.commons import Commons
-from kernel.complaining import TELLING_FAILURES, complain, explanation, failed_act
+from kernel.complaining import complain, explanation, failed_act
 from kernel.imagining import suppose, transplant
+from kernel.innate import innate
 from kernel.memory.attention import ROOM, Attention, Failure, Focus
 from kernel.memory.change import SESSION, Change
 from kernel.memory.exchange import Inputs, Outputs
 from kernel.memory.experience import Experience
-from kernel.memory.lesson import INNATE, Lesson, Operator
+from kernel.memory.lesson import INNATE, Lesson
 from kernel.memory.meaning import Command, Control, Heard, Question, Revision, Utterance
 from kernel.memory.operators import Operators
 from kernel.memory.policy import Shift
 from kernel.memory.reply import AskWhich, Failed, Halted, Reply
 from kernel.memory.settings import Settings
 from kernel.memory.working import WorkingMemory
-from kernel.net.graphlet import Graphlet, Sketch
+from kernel.net.graphlet import Graphlet
 from kernel.net.node import Node
 from kernel.remembering import unreached
 from kernel.steering import remember_interrupted
 
 PARTS: Final = ("gripper", "lift", "fork", "wheel", "battery", "finger", "arm")
-TAKEOVERS: Final = 3  # the same reaction may pre-empt the same focus so often in TAKEOVER_S
-TAKEOVER_S: Final = 10.0
 
 
 class Mind:
@@ -68,7 +65,7 @@ class Mind:
             memory, Operators(), random.Random(seed), settings, attention=self._attention
         )
         self._senses = [make() for _, make in sorted(SENSES.items())]
-        self._waiting_since: dict[int, float] = {}
+        self._arbitration = Arbitration(self._commons)
         self._waking: list[Focus] = []
         self.epoch = 0
         self.speaker = ""
@@ -149,7 +146,7 @@ class Mind:
         self._think()
         for gone in commons.memory.take_lost():
             commons.record("fact", None, text=" ".join(sorted(gone.words())), lost=True)
-        winners = self._arbitrate(now_s)
+        winners = self._arbitration.rule(self.close)
         self._fade(now_s)
         commons.recent.say(commons.replies)
         outputs = Outputs(
@@ -179,7 +176,7 @@ class Mind:
         self.epoch = epoch
         self._commons.struck.clear()
         self._commons.speech.clear()
-        self._waiting_since.clear()
+        self._arbitration.clear()
         self._commons.record("stopped", None, epoch=epoch, foci=len(active))
         self._commons.replies.append(Halted(bool(active)))
 
@@ -284,64 +281,3 @@ class Mind:
         faded = self._attention.fade(now_s)
         if faded:
             self._commons.memory.forget([node for focus in faded for node in focus.nodes])
-
-    # -- acting ----------------------------------------------------------------------------
-
-    def _arbitrate(self, now_s: float) -> tuple[Bid, ...]:
-        """Rule on this tick's claims; those who wait too long, or are taken over too often, are struck."""
-        commons = self._commons
-        commons.struck.clear()
-        halts = [c for c in commons.claims if isinstance(c.bid.command, Halt)]
-        motions = [c for c in commons.claims if c not in halts]
-        if halts:
-            own = {claim.focus for claim in halts}
-            for (
-                claim
-            ) in motions:  # what the stop stands beside is done with, all else has been stopped
-                commons.struck[claim.bid.ticket] = "ended" if claim.focus in own else "stopped"
-            motions = []
-        ruling = arbitrate(motions)
-        for ticket in ruling.conflicts:
-            commons.struck[ticket] = "conflict"
-        waiting = {}
-        by_number = {focus.number: focus for focus in self._attention}
-        for claim, winner in ruling.lost:
-            ticket = claim.bid.ticket
-            waiting[ticket] = self._waiting_since.get(ticket, now_s)
-            focus = by_number[claim.focus]
-            if ticket not in self._waiting_since:
-                commons.record("resource_lost", focus, resource=claim.bid.resource)
-                self._took_over(focus, by_number[winner])
-            if now_s - waiting[ticket] > PATIENCE_S:
-                commons.struck[ticket] = "resource_lost"
-        self._waiting_since = waiting
-        given_up = {c.bid.ticket for c in motions if by_number[c.focus].ended_s is not None}
-        return tuple(bid for bid in ruling.winners if bid.ticket not in given_up)
-
-    def _took_over(self, focus: Focus, winner: Focus) -> None:
-        """The same reaction taking over for the third time in 10 s ends the focus (mind.md)."""
-        if winner.reaction is None or focus.ended_s is not None:
-            return
-        now_s, ident = self._commons.tick.now_s, winner.reaction.ident
-        focus.preempted = [p for p in focus.preempted if now_s - p[0] < TAKEOVER_S]
-        focus.preempted.append((now_s, ident))
-        if sum(lesson == ident for _, lesson in focus.preempted) >= TAKEOVERS:
-            focus.failure = focus.failure or Failure("resource_lost")
-            self.close(focus, Verdict.FAILED)
-
-
-def innate() -> list[Lesson]:
-    """The operator DO[verb] -> FCN[name] of every grounding function, and that failures are told; numbered below zero,
-    without words."""
-    lessons: list[Lesson] = [Lesson(-1_000_000, "reaction", TELLING_FAILURES)]
-    for grounding in sorted(GROUNDINGS.values(), key=lambda g: g.name):
-        for verb in grounding.verbs:
-            sketch = Sketch()
-            act = sketch.add("act", verb)
-            function = sketch.add("fcn", grounding.name, arg=act)
-            operator = Operator(
-                Directive("DO", sketch.graphlet(act)),
-                sequence(Directive("FCN", sketch.graphlet(function))),
-            )
-            lessons.append(Lesson(INNATE - len(lessons), "procedure", operator))
-    return lessons

@@ -8,8 +8,8 @@ from kernel.action.verdict import Verdict
 from kernel.memory.meaning import Question
 from kernel.memory.reply import Answer
 from kernel.memory.wondering import is_thing, spelled_out
+from kernel.net.describing import describe
 from kernel.net.graphlet import Graphlet
-from kernel.net.node import describe
 from kernel.running import Frame
 
 

@@ -15,9 +15,10 @@ from kernel.memory.attention import Failure, Focus, Progress
 from kernel.memory.experience import Occasion
 from kernel.memory.lesson import Lesson, Operator
 from kernel.memory.reply import Reason
+from kernel.net.describing import descriptions
 from kernel.net.graphlet import Graphlet
 from kernel.net.match import Binding
-from kernel.net.node import REMEMBERED, Node, descriptions
+from kernel.net.node import REMEMBERED, Node
 from kernel.remembering import begin, remembered
 from kernel.stepping import RunningStep
 from kernel.stopping import stoppable

@@ -10,9 +10,10 @@ from kernel.memory.inference import says_something
 from kernel.memory.lesson import Lesson, Operator, Rule
 from kernel.memory.meant import description
 from kernel.memory.recall import THINGS
+from kernel.net.describing import describe
 from kernel.net.graphlet import Graphlet, Term
 from kernel.net.match import matches
-from kernel.net.node import BAND_1, BAND_2, REMEMBERED, Node, describe
+from kernel.net.node import BAND_1, BAND_2, REMEMBERED, Node
 
 
 @answers("know_about")

@@ -7,9 +7,10 @@ from dataclasses import dataclass
 from typing import Final
 
 from kernel.memory.reply import AskWhich
+from kernel.net.describing import describe
 from kernel.net.graphlet import Graphlet
 from kernel.net.match import Binding, holds
-from kernel.net.node import REMEMBERED, Net, Node, describe
+from kernel.net.node import REMEMBERED, Net, Node
 
 PATIENCE_S: Final = 20.0  # ours: how long an act waits for the answer
 _DESCRIBING: Final = ("ako", "hq", "loc", "own", "sub")

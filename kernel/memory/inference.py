@@ -6,9 +6,10 @@ from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, replace
 
 from kernel.memory.lesson import Lesson, Rule
+from kernel.net.describing import describe
 from kernel.net.graphlet import Graphlet
 from kernel.net.match import Binding
-from kernel.net.node import Node, describe
+from kernel.net.node import Node
 
 
 @dataclass(frozen=True, slots=True)

@@ -9,9 +9,10 @@ from kernel.action.chain import Directive
 from kernel.memory.meaning import Question
 from kernel.memory.reply import Answer
 from kernel.memory.working import WorkingMemory
+from kernel.net.describing import describe
 from kernel.net.graphlet import Graphlet
 from kernel.net.match import Binding, matches
-from kernel.net.node import REMEMBERED, Node, describe
+from kernel.net.node import REMEMBERED, Node
 
 # The object of an act needs no known place: a thing of that description may be assumed (mind.md, FIND).
 ASSUMING_ROLES: Final = frozenset(("obj",))

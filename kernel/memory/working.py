@@ -14,6 +14,7 @@ from kernel.memory.instance import telling_words
 from kernel.memory.promotion import Item, Promotions, Step
 from kernel.memory.reach import Reach
 from kernel.memory.rules import RuleBook
+from kernel.net.describing import describe
 from kernel.net.graphlet import Graphlet
 from kernel.net.match import Binding, matches
 from kernel.net.node import (
@@ -23,7 +24,6 @@ from kernel.net.node import (
     REMEMBERED,
     Net,
     Node,
-    describe,
     instantiate,
 )
 

@@ -3,8 +3,9 @@
 from hypothesis import given
 from hypothesis import strategies as st
 
+from kernel.net.describing import describe
 from kernel.net.graphlet import Sketch
-from kernel.net.node import BAND_1, BAND_2, REMEMBERED, WORKING, Net, describe, instantiate
+from kernel.net.node import BAND_1, BAND_2, REMEMBERED, WORKING, Net, instantiate
 
 WORDS = ("a", "b", "c")
 
