@@ -12,12 +12,17 @@ from daemon.store import Store
 from firmware_proto.frame import FrameReader
 from firmware_proto.messages import Drive, unpack
 from grammars.parse import parse
+from kernel.action.discover import load_all
+from kernel.action.step import DIRECTIVES
 from kernel.memory.meaning import Utterance
 from kernel.memory.notation import write_meaning
 
 ROOT = Path(__file__).parents[2]
 README = (ROOT / "README.md").read_text(encoding="utf-8")
 TICK_S = 1 / 30
+
+
+MIND = (ROOT / "docs/mind.md").read_text(encoding="utf-8")
 
 
 @pytest.mark.parametrize("page", ["README.md", "CONTRIBUTING.md", "benchmarks/README.md"])
@@ -33,6 +38,17 @@ def test_folders_named_in_the_readme_exist() -> None:
     )
     assert named
     assert [folder for folder in named if not (ROOT / folder).is_dir()] == []
+
+
+def test_the_page_on_the_mind_names_files_that_exist_and_every_directive() -> None:
+    files = re.findall(r"`((?:[a-z_]+/)*[a-z_]+\.py)`", MIND)
+    assert len(files) > 30
+    missing = [f for f in files if not (ROOT / f).exists() and not (ROOT / "kernel" / f).exists()]
+    assert missing == []
+    load_all("kernel.directives")
+    rows = [row.split("|")[1] for row in MIND.splitlines() if row.startswith("|")]
+    told = {tag for row in rows for tag in re.findall(r"\b[A-Z]{2,6}\b", row)}
+    assert told == set(DIRECTIVES)
 
 
 def test_the_walk_goes_down_as_told() -> None:
