@@ -13,7 +13,15 @@ from daemon import events
 from daemon.speaking.queue import SpeechQueue
 from daemon.speaking.voice import Voice
 from daemon.telling import from_record, from_reply, from_shift, pose
-from daemon.understanding import SAY_AGAIN, UNCLEAR, Understanding, at_once, stops, understand
+from daemon.understanding import (
+    SAY_AGAIN,
+    UNCLEAR,
+    Understanding,
+    at_once,
+    moves,
+    stops,
+    understand,
+)
 from daemon.wire import Wire
 from daemon.writer import Keeper, Kept, NotKept
 from firmware_proto.told import SessionState
@@ -22,7 +30,7 @@ from grammars.replies import say
 from grammars.vocabulary import extended, from_policy
 from kernel.action.call import BodyState
 from kernel.memory.exchange import Inputs, Outputs
-from kernel.memory.meaning import Command, Heard, Revision, Utterance
+from kernel.memory.meaning import Heard, Utterance
 from kernel.memory.reply import FactTaken, LessonTaken
 
 if TYPE_CHECKING:
@@ -183,7 +191,7 @@ class Cycle:
             del self._sources[next(iter(self._sources))]
 
     def _dropped(self, heard: Heard) -> bool:
-        if not isinstance(heard.meaning, Command | Revision):
+        if not moves(heard.meaning):
             return False
         text = heard.utterance.text
         self._emit(events.Ended(t=self.now_s, text=text, verdict="stopped", utterance=text))

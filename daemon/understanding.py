@@ -10,7 +10,7 @@ from grammars.errors import NotUnderstoodError
 from grammars.parse import parse
 from grammars.render import render
 from grammars.vocabulary import Vocabulary
-from kernel.memory.meaning import Control, Feedback, Heard, Meaning, Utterance
+from kernel.memory.meaning import Command, Control, Feedback, Heard, Meaning, Revision, Utterance
 from kernel.memory.reply import AskWhich
 
 STOP_WORDS: Final = frozenset({"stop", "halt", "freeze"})
@@ -126,3 +126,10 @@ def stops(understanding: Understanding) -> bool:
     if is_stop(text):
         return names_activity(text) and (heard is None or not halts_one(heard.meaning))
     return heard is not None and halts(heard.meaning)
+
+
+def moves(meaning: Meaning) -> bool:
+    """It may set the robot in motion by itself: an order, a correction of one, "go on", "repeat that"."""
+    if isinstance(meaning, Control):
+        return meaning.act in ("resume", "repeat")
+    return isinstance(meaning, Command | Revision)
