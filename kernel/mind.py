@@ -86,8 +86,9 @@ class Mind:
 
     @property
     def history(self) -> tuple[Change, ...]:
-        """Every change of what was learned, oldest first."""
-        return tuple(self._commons.policy.changes())[::-1]
+        """Every stored change of what was learned, oldest first."""
+        durable = (change.durable() for change in self._commons.policy.changes())
+        return tuple(change for change in durable if change is not None)[::-1]
 
     @property
     def memory(self) -> WorkingMemory:

@@ -55,7 +55,7 @@ def test_resting_lessons_rest_unless_they_were_taken_back() -> None:
     sleeper = Resting(3, "to hover, lift off", "the body lacks hover", change=7)
     assert standing(resting=(sleeper,)) == {3: "rests"}
     assert standing(Change(8, retracted=(3,)), resting=(sleeper,)) == {3: "taken back"}
-    assert standing(Change(8, undone=(7,)), resting=(sleeper,)) == {3: "taken back"}
+    assert standing(Change(7), Change(8, undone=(7,)), resting=(sleeper,)) == {3: "taken back"}
     (row,) = rows((), (sleeper,))
     assert (row.text, row.why, row.counts) == ("to hover, lift off", "the body lacks hover", False)
 
