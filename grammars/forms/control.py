@@ -45,5 +45,6 @@ def control(alist: AList) -> Control:
     with build.drawing(pattern=True):
         if forget is not None and (thing := forget.find("np")) is not None:
             return Control(act, build.graphlet(build.thing(thing)))
-        about = (forget or alist).find("action", "gerunding")
+    about = (forget or alist).find("action", "gerunding")
+    with build.drawing(pattern=True, trigger=True):  # "greet somebody", as it was taught
         return Control(act, None if about is None else build.graphlet(build.action(about)))

@@ -98,8 +98,9 @@ def _about(build: Build, body: AList) -> Graphlet:
         return build.graphlet(build.oneself("me"))
     if body.name in ("busy", "did_what", "abilities", "would"):
         return build.graphlet(build.add("act", agt=build.oneself("you")))
-    denied = body.name == "why" and "not" in (body.value or "").split()  # "why not"
-    return build.graphlet(build.add("act", ref="that", negated=denied))
+    words = (body.value or "").split() if body.name == "why" else ["that"]
+    bare = "" if words in (["why"], ["why", "not"]) else "that"  # of whatever was said or done last
+    return build.graphlet(build.add("act", ref=bare, negated="not" in words))
 
 
 def _what(build: Build, body: AList) -> Question:

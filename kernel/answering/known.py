@@ -13,7 +13,7 @@ from kernel.memory.recall import THINGS
 from kernel.net.describing import describe
 from kernel.net.graphlet import Graphlet, Term
 from kernel.net.match import matches
-from kernel.net.node import BAND_1, BAND_2, REMEMBERED, Node
+from kernel.net.node import REMEMBERED, Node
 
 
 @answers("know_about")
@@ -38,7 +38,7 @@ def know_about(asking: Asking) -> Knowledge:
             new = says_something(node) and node.kind not in ("said", "input") and node.lex
             if not new or node.lex <= words:
                 continue
-            (inferred if node.level in (BAND_1, BAND_2) else facts).append(describe(node))
+            (inferred if node.rule else facts).append(describe(node))
     return Knowledge(asking.question, tuple(facts), tuple(inferred), _lessons(asking, words))
 
 

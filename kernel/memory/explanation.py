@@ -27,6 +27,7 @@ class Because:
     Attributes:
         deed: what is explained; None: no such deed is remembered.
         root: the deed that it is a step of in the end.
+        way: the lesson that says how it is done, where it has steps.
         trouble: what stands in the way of a deed that was never attempted.
     """
 
@@ -35,6 +36,7 @@ class Because:
     deed: Deed | None = None
     root: Deed | None = None
     trouble: Trouble | None = None
+    way: Lesson | None = None
 
 
 @dataclass(frozen=True, slots=True)
