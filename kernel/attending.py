@@ -170,7 +170,7 @@ def _control(mind: Listener, commons: Commons, focus: Focus, control: Control) -
         case "keep" | "replace":
             commons.replies.append(NothingToDo("answer"))
         case "learned":
-            day = Question("what", Graphlet((), "act-1"), topic="learned")
+            day = Question("what", control.about or Graphlet((), "act-1"), topic="learned")
             commons.replies.append(answer(Asking(commons, focus, mind, day)))
         case "cancel":
             drop_newest(mind, commons, focus)

@@ -230,8 +230,13 @@ def whole(fact: Fact) -> Graphlet:
 
 def answered(commons: Commons, meaning: Meaning) -> bool:
     """Pass an answer on to the open question; False for what is no answer."""
-    if not (isinstance(meaning, Control) and meaning.act in ("keep", "replace", "cancel")):
+    if not isinstance(meaning, Control) or commons.asked is None:
         return False
-    if commons.asked is not None:
-        commons.asked.answer = meaning.act
-    return commons.asked is not None
+    match meaning:
+        case Control("keep" | "replace" | "cancel" as act):
+            commons.asked.answer = act
+        case Control("undo" | "forget", about=None, told=None, lessons=()):  # "forget that"
+            commons.asked.answer = "cancel"
+        case _:
+            return False
+    return True

@@ -38,6 +38,7 @@ EXAMPLES = (
     "what are you not allowed to do",
     "what happens when something is close",
     "what happens before you turn left",
+    "what do you do after you turn left",
     "what would you do if I said turn left then grab the block",
     "show me what you would do if something is very close",
 )
@@ -52,6 +53,8 @@ TOPICS: Final[dict[str, tuple[Ask, str]]] = {
     "taught": ("who", "taught"),
     "told": ("who", "taught"),
     "happens": ("what", "happens"),
+    "what_before": ("what", "before"),
+    "what_after": ("what", "after"),
     "abilities": ("what", "abilities"),
     "whoami": ("who", "identity"),
     "allowed": ("yesno", "allowed"),

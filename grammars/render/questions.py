@@ -38,10 +38,8 @@ def question(asked: Question, voice: Voice) -> str:
             return f"do {you} know how to {deed(telling, main)}"
         case "know_how":
             return f"how do {you} {deed(telling, main)}"
-        case "happens" if telling.term(main).kind == "act" and not linked(
-            telling.term(main), "agt"
-        ):
-            return f"what happens before {you} {deed(telling, main)}"
+        case "before" | "after":
+            return f"what happens {asked.topic} {you} {deed(telling, main)}"
         case "happens":
             return f"what happens when {conditions(telling, asked.about)}"
         case "learned":

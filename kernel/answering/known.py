@@ -76,9 +76,25 @@ def _terms(content: Rule | Operator) -> Iterator[Term]:
     return (term for part in parts for term in part.terms)
 
 
+def _by_person(asking: Asking) -> Lessons:
+    """Lessons and facts of the session that one person taught."""
+    memory = asking.commons.memory
+    me = "me" in asking.main.lex
+    names = memory.user.lex - {"me"} if me else asking.main.lex
+    found = [
+        lesson
+        for lesson in reversed(list(asking.commons.lessons.values()))
+        if lesson.words and lesson.ident > 0 and lesson.teacher.lower() in (names or {""})
+    ]
+    return Lessons(asking.question, tuple(found))
+
+
 @answers("learned")
 def learned(asking: Asking) -> Lessons:
-    """Lessons of the day on which it is asked, newest first; a day begins at midnight of the clock on the wall."""
+    """Lessons of the day on which it is asked, newest first; a day begins at midnight of the clock on the wall. Where a
+    person is named: everything in force that the person taught or told."""
+    if asking.main.kind == "obj":
+        return _by_person(asking)
     offset_s = asking.asked.utc_offset_s
     today = (asking.asked.at_s + offset_s) // 86_400
     of_today = [
