@@ -14,7 +14,8 @@ from kernel.memory.attention import Focus
 from kernel.memory.change import SESSION
 from kernel.memory.experience import Deed
 from kernel.memory.explanation import Asked, Lessons
-from kernel.memory.lesson import Lesson, Operator
+from kernel.memory.inference import is_alias
+from kernel.memory.lesson import Lesson, Operator, Rule
 from kernel.memory.meaning import Question
 from kernel.memory.meant import affirmed, description, grounded, is_like, verb
 from kernel.memory.reply import Reply
@@ -149,6 +150,16 @@ class Asking:
             if is_like(act, trigger) or is_like(trigger, act):
                 found.append(lesson)
         return found[::-1]
+
+    def aliases_of(self, words: frozenset[str]) -> tuple[Lesson, ...]:
+        """What says that one of the words means another, newest first."""
+        return tuple(
+            lesson
+            for lesson in reversed(self.lessons)
+            if isinstance(lesson.content, Rule)
+            and is_alias(lesson)
+            and not words.isdisjoint(lesson.content.condition.words())
+        )
 
     def with_step(self, act: Graphlet) -> list[Lesson]:
         """Taught operators in whose chain the act is a step, newest first."""

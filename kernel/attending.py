@@ -16,9 +16,8 @@ from kernel.action.verdict import Verdict
 from kernel.asking import Asking, answer
 from kernel.commons import Commons
 from kernel.imagining import Thinker
-from kernel.learning import LEARNING
 from kernel.memory.attention import Focus
-from kernel.memory.lesson import Content, Lesson, LessonKind
+from kernel.memory.lesson import LEARNING, Content, Lesson, LessonKind
 from kernel.memory.meaning import (
     Choice,
     Command,

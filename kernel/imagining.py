@@ -120,9 +120,7 @@ def _told(experience: Experience, start_s: float, whole_s: float, unfinished: bo
         ended_s = start_s + whole_s if deed.ended_s is None else deed.ended_s
         begin_s, end_s = _itself(deed, ended_s, [d for d in deeds if d.parent == deed.number])
         steps.append(
-            PlanStep(
-                deed.act, begin_s - start_s, end_s - start_s, deed.verdict or Verdict.STOPPED
-            )
+            PlanStep(deed.act, begin_s - start_s, end_s - start_s, deed.verdict or Verdict.STOPPED)
         )
     steps.sort(key=lambda step: step.begin_s)
     failed = [deed.trouble for deed in deeds if deed.parent == 0 and deed.trouble is not None]

@@ -53,6 +53,7 @@ TOPICS: Final[dict[str, tuple[Ask, str]]] = {
     "taught": ("who", "taught"),
     "told": ("who", "taught"),
     "happens": ("what", "happens"),
+    "means": ("how", "means"),
     "what_before": ("what", "before"),
     "what_after": ("what", "after"),
     "abilities": ("what", "abilities"),

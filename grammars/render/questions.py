@@ -38,6 +38,8 @@ def question(asked: Question, voice: Voice) -> str:
             return f"do {you} know how to {deed(telling, main)}"
         case "know_how":
             return f"how do {you} {deed(telling, main)}"
+        case "means":
+            return f"what does {min(telling.term(main).lex, default='that')} mean"
         case "before" | "after":
             return f"what happens {asked.topic} {you} {deed(telling, main)}"
         case "happens":
@@ -75,7 +77,10 @@ def _would(telling: Telling, asked: Question, you: str) -> str:
 def _past(telling: Telling, asked: Question, you: str) -> str:
     wh = {"yesno": "", "howmany": "how many times "}.get(asked.ask, f"{asked.ask} ")
     denied = "not " if telling.term(asked.about.main).negated else ""
-    if not telling.term(asked.about.main).lex:
+    main = telling.term(asked.about.main)
+    if asked.ask == "why" and not main.lex and not main.ref:
+        return f"why {denied}".strip()
+    if not main.lex:
         return f"{wh}did {you} just do" if asked.ask == "what" else f"{wh}did {you} {denied}do that"
     return f"{wh}did {you} {denied}{deed(telling, asked.about.main)}"
 

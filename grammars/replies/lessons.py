@@ -48,10 +48,16 @@ def _words(lesson: Lesson, revised: tuple[Lesson, ...]) -> str:
 
 
 def _none(question: Question | None) -> str:
-    if question is not None and question.topic == "learned" and question.about.terms:
+    if (
+        question is not None
+        and question.topic == "learned"
+        and question.about.main.startswith("obj")
+    ):
         return f"{thing_in_words(question.about.main, (question.about,))} taught me nothing"
     if question is None or question.topic in _NONE:
         return _NONE[question.topic if question else "learned"]
+    if question.topic == "means":
+        return f"I don't know what {min(question.about.words(), default='that')} means"
     if question.topic == "know_how" and any(term.lex for term in question.about):
         return f"I don't know how to {asked_act(question.about)}"
     return "I don't know"

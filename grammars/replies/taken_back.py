@@ -19,7 +19,9 @@ def taken_back(reply: TakenBack) -> Said:
     parts = []
     if reply.left:
         many = len(reply.left) > _NAMED
-        parts.append(f"I take back {_number(reply.left)}" if many else f"I take back: {_named(reply.left)}")
+        parts.append(
+            f"I take back {_number(reply.left)}" if many else f"I take back: {_named(reply.left)}"
+        )
     if reply.entered:
         many = len(reply.entered) > _NAMED
         again = f"{_number(reply.entered)} count again" if many else ""

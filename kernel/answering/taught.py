@@ -32,7 +32,7 @@ def taught(asking: Asking) -> Taught:
         ways = asking.ways_to(act)
         lessons = [lesson for lesson in ways if lesson.ident > 0]
         if ways and not lessons:
-            lessons = _steps_of(asking, act)
+            lessons = list(asking.aliases_of(asking.main.lex)) or _steps_of(asking, act)
             ordered = next((d.source for d in asking.deeds() if d.source), None)
             if not lessons:
                 return Taught(asking.question, asking.asked, told=ordered, born=True)
@@ -80,7 +80,7 @@ def provenance(asking: Asking) -> Taught:
         if node.kind in THINGS:  # "who told you about the block"
             return Taught(asking.question, asking.asked, told=_told_about(asking, node))
         if node.rule:
-            steps = inferences([node], commons.lessons)
+            steps = inferences([node], commons.lessons, None, commons.news)
             return Taught(asking.question, asking.asked, steps=steps)
         if (lesson := fact_lesson(asking, node)) is not None:
             return Taught(asking.question, asking.asked, (lesson,))

@@ -32,6 +32,8 @@ def how(asking: Asking) -> Reply:
     act = asking.act
     ways = asking.ways_to(act) if act is not None else []
     taught = tuple(lesson for lesson in ways if lesson.ident > 0)
+    if not taught and (meant := asking.aliases_of(asking.main.lex)):
+        return Lessons(asking.question, meant)
     if ways and not taught:
         return Taught(asking.question, asking.asked, born=True)
     corrections = {
@@ -42,6 +44,13 @@ def how(asking: Asking) -> Reply:
     }
     revised = tuple(lesson for lesson in taught if lesson.ident in corrections)
     return Lessons(asking.question, taught, revised)
+
+
+@answers("means")
+def means(asking: Asking) -> Reply:
+    """What a word was taught to stand for; else how that is done."""
+    meant = asking.aliases_of(asking.main.lex)
+    return Lessons(asking.question, meant) if meant else how(asking)
 
 
 @answers("happens")

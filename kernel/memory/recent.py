@@ -52,7 +52,8 @@ class Recent:
         command: the last one, and its focus.
         deed: the operator that the last DO or reaction was begun with.
         reply: the last one that said something; answered: it came after the last command.
-        claim: what was last said to be so, or not so, for as long as only that is talked about; claim_s: when, monotonic.
+        claim: what was last said to be so, or not so, for as long as only that is talked about;
+            claim_s: when, monotonic.
     """
 
     thing: Literal["", "command", "motion", "change"] = ""
