@@ -111,7 +111,8 @@ def from_shift(shift: Shift, now_s: float) -> Iterator[events.Event]:
             teacher=lesson.teacher,
         )
     for lesson in shift.left:
-        yield events.Retracted(t=now_s, ident=lesson.ident, words=lesson.words)
+        words = lesson.words or render(lesson.content, "teacher")
+        yield events.Retracted(t=now_s, ident=lesson.ident, words=words)
 
 
 def from_reply(reply: Reply, said: Said, now_s: float) -> Iterator[events.Event]:

@@ -140,7 +140,9 @@ class AdvisedStep:
             by=choice.lesson,
             because=tuple(describe(node) for node in concluded),
             said_before=self.focus.said,
-            steps=of_match(choice.operator.patterns, choice.binding, self.commons.lessons),
+            steps=of_match(
+                choice.operator.patterns, choice.binding, self.commons.lessons, self.commons.news
+            ),
         )
         self.commons.record(
             "prohibited", self.focus, by=choice.lesson.words, text=act_text(self.node)

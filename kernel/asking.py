@@ -14,7 +14,8 @@ from kernel.memory.attention import Focus
 from kernel.memory.change import SESSION
 from kernel.memory.experience import Deed
 from kernel.memory.explanation import Asked, Lessons
-from kernel.memory.lesson import Lesson, Operator
+from kernel.memory.inference import is_alias
+from kernel.memory.lesson import Lesson, Operator, Rule
 from kernel.memory.meaning import Question
 from kernel.memory.meant import affirmed, description, grounded, is_like, verb
 from kernel.memory.reply import Reply
@@ -84,6 +85,17 @@ class Asking:
             self.question.about.main,
         )
 
+    @property
+    def just_claimed(self) -> Graphlet | None:
+        """What the robot has just said is so, or is not so, if it has done nothing since."""
+        recent, newest = self.commons.recent, next(iter(self.commons.experience), None)
+        since = newest is not None and newest.began_s > recent.claim_s
+        return None if since else recent.claim
+
+    def of(self, about: Graphlet) -> Asking:
+        """The same question about something else."""
+        return replace(self, question=replace(self.question, about=about))
+
     # -- lessons ---------------------------------------------------------------------------
 
     @property
@@ -137,6 +149,27 @@ class Asking:
                 continue
             if is_like(act, trigger) or is_like(trigger, act):
                 found.append(lesson)
+        return found[::-1]
+
+    def aliases_of(self, words: frozenset[str]) -> tuple[Lesson, ...]:
+        """What says that one of the words means another, newest first."""
+        return tuple(
+            lesson
+            for lesson in reversed(self.lessons)
+            if isinstance(lesson.content, Rule)
+            and is_alias(lesson)
+            and not words.isdisjoint(lesson.content.condition.words())
+        )
+
+    def with_step(self, act: Graphlet) -> list[Lesson]:
+        """Taught operators in whose chain the act is a step, newest first."""
+        found = []
+        for lesson in self.lessons:
+            if isinstance(lesson.content, Operator):
+                steps = lesson.content.chain.directives()
+                acts = [d.graphlet for d in steps if d.tag == "DO" and d.graphlet is not None]
+                if any(is_like(act, step) for step in acts):
+                    found.append(lesson)
         return found[::-1]
 
     # -- deeds -----------------------------------------------------------------------------

@@ -16,9 +16,8 @@ from kernel.action.verdict import Verdict
 from kernel.asking import Asking, answer
 from kernel.commons import Commons
 from kernel.imagining import Thinker
-from kernel.learning import LEARNING
 from kernel.memory.attention import Focus
-from kernel.memory.lesson import Content, Lesson, LessonKind
+from kernel.memory.lesson import LEARNING, Content, Lesson, LessonKind
 from kernel.memory.meaning import (
     Choice,
     Command,
@@ -170,7 +169,7 @@ def _control(mind: Listener, commons: Commons, focus: Focus, control: Control) -
         case "keep" | "replace":
             commons.replies.append(NothingToDo("answer"))
         case "learned":
-            day = Question("what", Graphlet((), "act-1"), topic="learned")
+            day = Question("what", control.about or Graphlet((), "act-1"), topic="learned")
             commons.replies.append(answer(Asking(commons, focus, mind, day)))
         case "cancel":
             drop_newest(mind, commons, focus)

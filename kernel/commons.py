@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import random
-from collections.abc import Generator
+from collections.abc import Container, Generator
 from dataclasses import dataclass, field, replace
 from typing import Final, Literal
 
@@ -103,6 +103,11 @@ class Commons:
     def lessons(self) -> dict[int, Lesson]:
         """Lessons in force, by number."""
         return self.policy.lessons
+
+    @property
+    def news(self) -> Container[Node]:
+        """Main nodes of told facts: these do not tell which thing is meant (kernel.memory.inference.told_of)."""
+        return self.facts.values()
 
     def session_number(self) -> int:
         """A fresh number for a lesson or change that is not stored."""

@@ -113,19 +113,25 @@ def _said(speech: Sequence[Bid], now_s: float, speaking: dict[int, float]) -> di
 
 def _told(experience: Experience, start_s: float, whole_s: float, unfinished: bool) -> Imagined:
     deeds = list(experience)[::-1]
-    above = {deed.parent for deed in deeds}
+    above = {deed.parent for deed in deeds if not deed.is_around("ANTE", "POST")}
     leaves = [deed for deed in deeds if deed.number not in above and _began(deed)]
-    steps = tuple(
-        PlanStep(
-            deed.act,
-            deed.began_s - start_s,
-            whole_s if deed.ended_s is None else deed.ended_s - start_s,
-            deed.verdict or Verdict.STOPPED,
+    steps = []
+    for deed in leaves:
+        ended_s = start_s + whole_s if deed.ended_s is None else deed.ended_s
+        begin_s, end_s = _itself(deed, ended_s, [d for d in deeds if d.parent == deed.number])
+        steps.append(
+            PlanStep(deed.act, begin_s - start_s, end_s - start_s, deed.verdict or Verdict.STOPPED)
         )
-        for deed in leaves
-    )
+    steps.sort(key=lambda step: step.begin_s)
     failed = [deed.trouble for deed in deeds if deed.parent == 0 and deed.trouble is not None]
-    return Imagined(steps, next(iter(failed), None), whole_s, unfinished)
+    return Imagined(tuple(steps), next(iter(failed), None), whole_s, unfinished)
+
+
+def _itself(deed: Deed, ended_s: float, around: Sequence[Deed]) -> tuple[float, float]:
+    """When the deed itself began and ended, without what goes before and after it."""
+    before = [d.ended_s or ended_s for d in around if d.is_around("ANTE")]
+    after = [d.began_s for d in around if d.is_around("POST")]
+    return max([deed.began_s, *before]), min([ended_s, *after])
 
 
 def _began(deed: Deed) -> bool:

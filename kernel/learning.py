@@ -4,28 +4,19 @@ from __future__ import annotations
 
 from collections.abc import Generator
 from dataclasses import replace
-from typing import Final
 
 from kernel.adapting import weigh
 from kernel.commons import Commons
 from kernel.memory.attention import Failure, Focus
-from kernel.memory.lesson import LEARN, Lesson, Operator
+from kernel.memory.lesson import Lesson, Operator
 from kernel.memory.likeness import covers, never_fires
 from kernel.memory.recent import PATIENCE_S, Asked
 from kernel.memory.reply import AskKeep, KnownAlready, LessonDropped, Revised, Why
-from kernel.net.graphlet import Graphlet, Sketch
+from kernel.net.graphlet import Graphlet
 from kernel.net.match import matches
 from kernel.net.node import REMEMBERED
 
 Learning = Generator[None, None, bool]
-
-
-def _learning() -> Graphlet:
-    sketch = Sketch()
-    return sketch.graphlet(sketch.add("act", LEARN))
-
-
-LEARNING: Final = _learning()  # what ADD and EDIT are about, for operators on ANTE
 
 
 def learn(commons: Commons, focus: Focus) -> Learning:

@@ -84,8 +84,13 @@ def _take_back(commons: Commons, focus: Focus, change: Change) -> Run:
     change = replace(change, retracted=tuple(chunk.ident for chunk in chunks))
     if not (yield from changed(commons, focus, change, shift.left)):
         return Verdict.FAILED
-    commons.replies.append(TakenBack(shift.left, shift.entered, shift.moved))
+    commons.replies.append(TakenBack(_taught(shift.left), _taught(shift.entered), shift.moved))
     return Verdict.SUCCEEDED
+
+
+def _taught(lessons: tuple[Lesson, ...]) -> tuple[Lesson, ...]:
+    """Without what the robot made of them by itself, unless there is nothing else."""
+    return tuple(lesson for lesson in lessons if not lesson.origins) or lessons
 
 
 def _amends(commons: Commons, change: Change) -> tuple[Adapted, ...]:
@@ -132,11 +137,9 @@ def forget(commons: Commons, focus: Focus, control: Control) -> Run:
         found = _last(commons)
     elif about.main.startswith("act"):
         found = _ways(commons, about)
-        if any(lesson.ident <= INNATE for lesson in found):
-            found = [lesson for lesson in found if lesson.ident > INNATE]
-            if not found:
-                commons.replies.append(NothingToDo("inborn"))
-                return Verdict.SUCCEEDED
+        if not found and _inborn(commons, about):
+            commons.replies.append(NothingToDo("inborn"))
+            return Verdict.SUCCEEDED
     else:
         found = [
             lesson
@@ -166,15 +169,28 @@ def _by_number(commons: Commons, focus: Focus, numbers: tuple[int, ...]) -> Run:
 
 
 def _ways(commons: Commons, act: Graphlet) -> list[Lesson]:
-    """Operators on doing that, or something more specific."""
-    return [
-        lesson
-        for lesson in commons.lessons.values()
-        if isinstance(lesson.content, Operator)
-        and lesson.content.trigger.tag == "DO"
-        and (trigger := lesson.content.trigger.graphlet) is not None
-        and covers(act, (trigger,), trigger)
-    ]
+    """Taught operators on doing that, or something more specific; without any, those it would be done by."""
+    narrow, wide = [], []
+    for lesson in commons.lessons.values():
+        operator = lesson.content
+        if lesson.ident <= INNATE or not isinstance(operator, Operator):
+            continue
+        trigger = operator.trigger.graphlet if operator.trigger.tag == "DO" else None
+        if trigger is not None and covers(act, (trigger,), trigger):
+            narrow.append(lesson)
+        elif trigger is not None and covers(trigger, (act,), act):
+            wide.append(lesson)
+    return narrow or wide
+
+
+def _inborn(commons: Commons, act: Graphlet) -> bool:
+    """The body can do that: one of its own skills covers it, or is covered by it."""
+    for lesson in commons.lessons.values():
+        if lesson.ident <= INNATE and isinstance(lesson.content, Operator):
+            trigger = lesson.content.trigger.graphlet
+            if trigger and (covers(act, (trigger,), trigger) or covers(trigger, (act,), act)):
+                return True
+    return False
 
 
 def _told(commons: Commons, told: Teach | Fact) -> list[Lesson]:
@@ -214,8 +230,13 @@ def whole(fact: Fact) -> Graphlet:
 
 def answered(commons: Commons, meaning: Meaning) -> bool:
     """Pass an answer on to the open question; False for what is no answer."""
-    if not (isinstance(meaning, Control) and meaning.act in ("keep", "replace", "cancel")):
+    if not isinstance(meaning, Control) or commons.asked is None:
         return False
-    if commons.asked is not None:
-        commons.asked.answer = meaning.act
-    return commons.asked is not None
+    match meaning:
+        case Control("keep" | "replace" | "cancel" as act):
+            commons.asked.answer = act
+        case Control("undo" | "forget", about=None, told=None, lessons=()):  # "forget that"
+            commons.asked.answer = "cancel"
+        case _:
+            return False
+    return True

@@ -149,7 +149,7 @@ class Mind:
             commons.record("fact", None, text=" ".join(sorted(gone.words())), lost=True)
         winners = self._arbitration.rule(self.close)
         self._fade(now_s)
-        commons.recent.say(commons.replies)
+        commons.recent.say(commons.replies, now_s)
         outputs = Outputs(
             bids=() if stopping else winners,
             speech=tuple(commons.speech),

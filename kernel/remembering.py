@@ -8,7 +8,7 @@ from kernel.commons import Commons
 from kernel.memory.attention import Failure, Focus
 from kernel.memory.experience import Deed, Occasion, Source, Trouble
 from kernel.memory.inference import of_match, told_of
-from kernel.memory.lesson import Lesson, Operator
+from kernel.memory.lesson import LEARNING, Lesson, Operator
 from kernel.memory.meaning import Command
 from kernel.net.graphlet import Graphlet
 from kernel.net.match import Binding
@@ -27,7 +27,7 @@ def begin(
     commons.memory.refresh()
     deed = Deed(
         number=0,
-        act=told_of(act),
+        act=told_of(act, news=commons.news),
         understood=told_of(act, concluded=True),
         focus=focus.number,
         began_s=commons.tick.now_s,
@@ -53,6 +53,8 @@ def remembered(commons: Commons, focus: Focus, number: int, run: Run) -> Run:
 def unreached(commons: Commons, focus: Focus, verdict: Verdict) -> None:
     """A command has come to nothing: the deeds it asked for that never began are remembered with the reason."""
     meaning = focus.heard.meaning if focus.heard else None
+    if verdict is Verdict.FAILED and focus.lesson is not None:  # it may not be taught
+        _never_began(commons, focus, verdict, LEARNING)
     if verdict.ok or not isinstance(meaning, Command):
         return
     directives = list(meaning.chain.directives())
@@ -63,13 +65,16 @@ def unreached(commons: Commons, focus: Focus, verdict: Verdict) -> None:
         for deed in commons.experience
         if deed.focus == focus.number and deed.parent == 0 and deed.occasion is None
     ]
-    now_s = commons.tick.now_s
     for graphlet in wanted[len(begun) :]:
         terms = {term.name: term for term in (*looked_up, *graphlet)}
-        act = Graphlet(tuple(terms.values()), graphlet.main)
-        deed = Deed(0, act, act, focus.number, now_s, source=source(focus))
-        number = commons.experience.begin(deed).number
-        commons.experience.end(number, now_s, verdict, trouble_of(focus, verdict))
+        _never_began(commons, focus, verdict, Graphlet(tuple(terms.values()), graphlet.main))
+
+
+def _never_began(commons: Commons, focus: Focus, verdict: Verdict, act: Graphlet) -> None:
+    now_s = commons.tick.now_s
+    deed = Deed(0, act, act, focus.number, now_s, source=source(focus))
+    number = commons.experience.begin(deed).number
+    commons.experience.end(number, now_s, verdict, trouble_of(focus, verdict))
 
 
 def trouble_of(focus: Focus, verdict: Verdict) -> Trouble:
@@ -87,8 +92,8 @@ def occasion_of(commons: Commons, lesson: Lesson, binding: Binding) -> Occasion 
     if not isinstance(operator, Operator) or operator.trigger.graphlet is None:
         return None
     trigger = operator.trigger.graphlet
-    steps = of_match(operator.patterns, binding, commons.lessons)
-    return Occasion(lesson, told_of(binding[trigger.main]), steps)
+    steps = of_match(operator.patterns, binding, commons.lessons, commons.news)
+    return Occasion(lesson, told_of(binding[trigger.main], news=commons.news), steps)
 
 
 def source(focus: Focus) -> Source | None:

@@ -15,7 +15,6 @@ from kernel.action.step import Run
 from kernel.action.verdict import Verdict
 from kernel.adapting import adapts, feedback_change
 from kernel.commons import Commons
-from kernel.learning import LEARNING
 from kernel.managing import with_chunks
 from kernel.memory.attention import Failure, Focus
 from kernel.memory.editing import (
@@ -25,7 +24,7 @@ from kernel.memory.editing import (
     with_other_step,
     with_other_thing,
 )
-from kernel.memory.lesson import INNATE, Lesson, Operator
+from kernel.memory.lesson import INNATE, LEARNING, Lesson, Operator
 from kernel.memory.likeness import covers
 from kernel.memory.meaning import Command, Revision
 from kernel.memory.reply import NothingToDo, Revised

@@ -26,6 +26,9 @@ EXAMPLES = (
     "Repeat that.",
     "go on",
     "what did you learn today",
+    "what did Mary teach you",
+    "forget everything about the red block",
+    "forget everything you learned today",
 )
 ACTS: Final[tuple[Act, ...]] = get_args(Act)
 
@@ -43,7 +46,8 @@ def control(alist: AList) -> Control:
         return Control(act, told=meaning)
     build = Build()
     with build.drawing(pattern=True):
-        if forget is not None and (thing := forget.find("np")) is not None:
+        if (thing := (forget or alist.find("learned") or alist).find("np")) is not None:
             return Control(act, build.graphlet(build.thing(thing)))
-        about = (forget or alist).find("action", "gerunding")
+    about = (forget or alist).find("action", "gerunding")
+    with build.drawing(pattern=True, trigger=True):  # "greet somebody", as it was taught
         return Control(act, None if about is None else build.graphlet(build.action(about)))

@@ -38,6 +38,7 @@ EXAMPLES = (
     "what are you not allowed to do",
     "what happens when something is close",
     "what happens before you turn left",
+    "what do you do after you turn left",
     "what would you do if I said turn left then grab the block",
     "show me what you would do if something is very close",
 )
@@ -52,6 +53,9 @@ TOPICS: Final[dict[str, tuple[Ask, str]]] = {
     "taught": ("who", "taught"),
     "told": ("who", "taught"),
     "happens": ("what", "happens"),
+    "means": ("how", "means"),
+    "what_before": ("what", "before"),
+    "what_after": ("what", "after"),
     "abilities": ("what", "abilities"),
     "whoami": ("who", "identity"),
     "allowed": ("yesno", "allowed"),
@@ -98,8 +102,9 @@ def _about(build: Build, body: AList) -> Graphlet:
         return build.graphlet(build.oneself("me"))
     if body.name in ("busy", "did_what", "abilities", "would"):
         return build.graphlet(build.add("act", agt=build.oneself("you")))
-    denied = body.name == "why" and "not" in (body.value or "").split()  # "why not"
-    return build.graphlet(build.add("act", ref="that", negated=denied))
+    words = (body.value or "").split() if body.name == "why" else ["that"]
+    bare = "" if words in (["why"], ["why", "not"]) else "that"  # of whatever was said or done last
+    return build.graphlet(build.add("act", ref=bare, negated="not" in words))
 
 
 def _what(build: Build, body: AList) -> Question:

@@ -21,6 +21,8 @@ EXAMPLES = (
     "Don't take orders from Janey.",
     "never turn left when Rick tells you to",
     "don't let Rick teach you",
+    "Rick may not teach you",
+    "never learn anything from Rick",
 )
 
 

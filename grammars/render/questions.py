@@ -38,10 +38,10 @@ def question(asked: Question, voice: Voice) -> str:
             return f"do {you} know how to {deed(telling, main)}"
         case "know_how":
             return f"how do {you} {deed(telling, main)}"
-        case "happens" if telling.term(main).kind == "act" and not linked(
-            telling.term(main), "agt"
-        ):
-            return f"what happens before {you} {deed(telling, main)}"
+        case "means":
+            return f"what does {min(telling.term(main).lex, default='that')} mean"
+        case "before" | "after":
+            return f"what happens {asked.topic} {you} {deed(telling, main)}"
         case "happens":
             return f"what happens when {conditions(telling, asked.about)}"
         case "learned":
@@ -77,7 +77,10 @@ def _would(telling: Telling, asked: Question, you: str) -> str:
 def _past(telling: Telling, asked: Question, you: str) -> str:
     wh = {"yesno": "", "howmany": "how many times "}.get(asked.ask, f"{asked.ask} ")
     denied = "not " if telling.term(asked.about.main).negated else ""
-    if not telling.term(asked.about.main).lex:
+    main = telling.term(asked.about.main)
+    if asked.ask == "why" and not main.lex and not main.ref:
+        return f"why {denied}".strip()
+    if not main.lex:
         return f"{wh}did {you} just do" if asked.ask == "what" else f"{wh}did {you} {denied}do that"
     return f"{wh}did {you} {denied}{deed(telling, asked.about.main)}"
 

@@ -44,6 +44,8 @@ def control(meaning: Control, voice: Voice) -> str:
     main = meaning.about.main
     if meaning.act == "stop":
         return f"stop {deed(telling, main, 'gerund')}"
+    if meaning.act == "learned":
+        return f"what did {thing(telling, main)} teach {pronoun(telling, 'you', 'object')}"
     if not main.startswith("act"):
         who = pronoun(telling, "me", "subject")
         return f"forget what {who} told {pronoun(telling, 'you', 'object')} about {thing(telling, main)}"

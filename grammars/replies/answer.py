@@ -66,7 +66,7 @@ def _unknown(asked: Question) -> str:
         case "did", ask:
             head = {"yesno": "whether", "howmany": "how many times"}.get(ask, ask)
             return f"I don't know {head} I {act_in_words(asked.about, (), 'past')}"
-        case (("happens" | "abilities" | "allowed"), _):
+        case (("happens" | "before" | "after" | "abilities" | "allowed"), _):
             return "I don't know"
     return f"I don't know {indirect(asked, 'robot')}"
 

@@ -46,7 +46,7 @@ def _told(reply: Because, asked: Asked | None) -> list[str]:
         return _failed(reply, deed, deed.trouble, denied, asked)
     if denied:
         return [f"I am {_act(deed.act, True)}" if deed.going_on else f"I did {_act(deed.act)}"]
-    return _cause(deed, reply.root or deed, asked)
+    return _cause(deed, reply.root or deed, reply.way, asked)
 
 
 def _act(act: Graphlet, going_on: bool = False) -> str:
@@ -65,9 +65,11 @@ def _failed(
     return [f"{no}I did not {_act(deed.act)}, because {first}", *more]
 
 
-def _cause(deed: Deed, root: Deed, asked: Asked | None) -> list[str]:
-    """What set it off, the operator that led from there to it, and what had to be concluded."""
+def _cause(deed: Deed, root: Deed, way: Lesson | None, asked: Asked | None) -> list[str]:
+    """What set it off, the operator that led from there to it or else says how, and what had to be concluded."""
     lessons: list[Lesson] = [lesson for lesson in deed.within if lesson.words]
+    if not lessons and way is not None and way.words:
+        lessons = [way]
     more = []
     if (occasion := deed.occasion) is not None:
         first = f"because {what_was(occasion.fact)}, and {taught(occasion.lesson, asked)}"

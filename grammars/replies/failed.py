@@ -10,6 +10,7 @@ from grammars.render.questions import indirect
 from grammars.render.things import PRONOUNS, proper
 from grammars.replies import Said, both, renders
 from grammars.vocabulary import BORN
+from kernel.memory.lesson import LEARN
 from kernel.memory.meaning import Question
 from kernel.memory.reply import Failed, Reason
 from kernel.net.graphlet import Term
@@ -29,6 +30,8 @@ def failure(reply: Failed) -> str:
 def _act(reply: Failed, form: str = "base") -> str:
     if reply.act is None or not _is_act(reply):
         return "doing that" if form == "gerund" else "do that"
+    if _verb(reply) == LEARN:
+        return "learning that" if form == "gerund" else "learn that"
     return act_in_words(reply.act, reply.about, "gerund" if form == "gerund" else "base")
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from itertools import groupby
 from typing import Final
 
+from grammars.render import render, thing_in_words
 from grammars.render.reasons import asked_act, exact_words, lines, teacher
 from grammars.replies import Said, renders
 from kernel.memory.explanation import Lessons
@@ -15,6 +16,8 @@ MOST: Final = 5
 _NONE: Final = {
     "learned": "nobody taught me anything today",
     "happens": "nothing that I was taught",
+    "before": "nothing that I was taught",
+    "after": "nothing that I was taught",
     "allowed": "nobody has forbidden me anything",
 }
 
@@ -25,13 +28,13 @@ def lessons(reply: Lessons) -> Said:
     if not reply.lessons:
         said = lines([_none(reply.question)])
         return Said(said, said)
-    shown = lines(_told(reply.lessons))
+    shown = lines(_told(reply.lessons, reply.revised))
     return Said(shown, shown.replace('"', ""))
 
 
-def _told(found: tuple[Lesson, ...]) -> list[str]:
+def _told(found: tuple[Lesson, ...], revised: tuple[Lesson, ...]) -> list[str]:
     told = [
-        f"{who}: {'; '.join(exact_words(lesson) for lesson in group)}"
+        f"{who}: {'; '.join(_words(lesson, revised) for lesson in group)}"
         for who, group in groupby(found[:MOST], key=teacher)
     ]
     more = len(found) - MOST
@@ -40,9 +43,21 @@ def _told(found: tuple[Lesson, ...]) -> list[str]:
     return told
 
 
+def _words(lesson: Lesson, revised: tuple[Lesson, ...]) -> str:
+    return render(lesson.content, "teacher") if lesson in revised else exact_words(lesson)
+
+
 def _none(question: Question | None) -> str:
+    if (
+        question is not None
+        and question.topic == "learned"
+        and question.about.main.startswith("obj")
+    ):
+        return f"{thing_in_words(question.about.main, (question.about,))} taught me nothing"
     if question is None or question.topic in _NONE:
         return _NONE[question.topic if question else "learned"]
+    if question.topic == "means":
+        return f"I don't know what {min(question.about.words(), default='that')} means"
     if question.topic == "know_how" and any(term.lex for term in question.about):
         return f"I don't know how to {asked_act(question.about)}"
     return "I don't know"

@@ -19,7 +19,7 @@ def not_understood(error: NotUnderstoodError) -> Said:
     shown = sentence(said)
     if error.understood:
         shown += f' I understood as far as "{error.understood}".'
-    if error.nearest:
-        shown += f' Did you mean "{error.nearest}"?'
-        return Said(shown, f"{aloud(said)} Did you mean: {error.nearest}?")
+    if nearest := (error.nearest or "").rstrip(" .!?"):
+        shown += f' Did you mean "{nearest}"?'
+        return Said(shown, f"{aloud(said)} Did you mean: {nearest}?")
     return Said(shown, aloud(said))

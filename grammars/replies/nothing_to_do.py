@@ -12,7 +12,7 @@ _SENTENCES: Final = {
     "revise": "I don't know what to change",
     "repeat": "there is nothing to repeat",
     "answer": "I did not ask anything",
-    "motion": "I can't undo a motion, tell me what to do instead",
+    "motion": "I can't undo a motion. Tell me what to do instead",
     "inborn": "I can't forget what my body can do",
 }
 

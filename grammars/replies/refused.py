@@ -5,6 +5,7 @@ from __future__ import annotations
 from grammars.render import act_in_words, claim_in_words, render
 from grammars.render.things import literally, proper
 from grammars.replies import Said, aloud, renders, sentence
+from kernel.memory.lesson import LEARN
 from kernel.memory.reply import Refused
 
 
@@ -14,6 +15,8 @@ def refused(reply: Refused) -> Said:
     lesson = reply.by
     words = lesson.words.strip().rstrip(".!") or render(lesson.content, "teacher")
     who = f"{proper(lesson.teacher)} told me" if lesson.teacher else "I was told"
-    said = f"I may not {act_in_words(reply.act)}: {who} {literally(words)}"
+    learning = any(t.lex == {LEARN} for t in reply.act if t.name == reply.act.main)
+    act = "learn that" if learning else act_in_words(reply.act)
+    said = f"I may not {act}: {who} {literally(words)}"
     reasons = " and ".join(claim_in_words(graphlet) for graphlet in reply.because)
     return Said(sentence(f"{said}, and {reasons}" if reasons else said), aloud(said))

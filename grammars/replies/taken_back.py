@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from typing import Final
 
 from grammars.render import render
-from grammars.replies import Said, aloud, listed, renders, sentence
+from grammars.replies import Said, aloud, renders, sentence
 from kernel.memory.lesson import Lesson
 from kernel.memory.reply import TakenBack
 
@@ -18,19 +18,23 @@ def taken_back(reply: TakenBack) -> Said:
     """ "I take back: when something is very close, I will drive backward." """
     parts = []
     if reply.left:
-        parts.append(f"I take back{_lessons(reply.left)}")
+        many = len(reply.left) > _NAMED
+        parts.append(
+            f"I take back {_number(reply.left)}" if many else f"I take back: {_named(reply.left)}"
+        )
     if reply.entered:
-        parts.append(f"that counts again{_lessons(reply.entered)}")
+        many = len(reply.entered) > _NAMED
+        again = f"{_number(reply.entered)} count again" if many else ""
+        parts.append(again or f"that counts again: {_named(reply.entered)}")
     if not parts:
         parts.append("I take that back")
     return Said(" ".join(map(sentence, parts)), " ".join(map(aloud, parts)))
 
 
-def _lessons(lessons: Sequence[Lesson]) -> str:
-    if len(lessons) > _NAMED:
-        return (
-            f" {len(lessons)} lessons"
-            if all(x.kind != "fact" for x in lessons)
-            else (f" {len(lessons)} things")
-        )
-    return f": {listed([render(lesson.content, 'robot') for lesson in lessons])}"
+def _number(lessons: Sequence[Lesson]) -> str:
+    """ "3 lessons"; where facts are among them, "3 things"."""
+    return f"{len(lessons)} {'things' if any(x.kind == 'fact' for x in lessons) else 'lessons'}"
+
+
+def _named(lessons: Sequence[Lesson]) -> str:
+    return "; and ".join(render(lesson.content, "robot") for lesson in lessons)

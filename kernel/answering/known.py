@@ -13,7 +13,7 @@ from kernel.memory.recall import THINGS
 from kernel.net.describing import describe
 from kernel.net.graphlet import Graphlet, Term
 from kernel.net.match import matches
-from kernel.net.node import BAND_1, BAND_2, REMEMBERED, Node
+from kernel.net.node import REMEMBERED, Node
 
 
 @answers("know_about")
@@ -38,7 +38,7 @@ def know_about(asking: Asking) -> Knowledge:
             new = says_something(node) and node.kind not in ("said", "input") and node.lex
             if not new or node.lex <= words:
                 continue
-            (inferred if node.level in (BAND_1, BAND_2) else facts).append(describe(node))
+            (inferred if node.rule else facts).append(describe(node))
     return Knowledge(asking.question, tuple(facts), tuple(inferred), _lessons(asking, words))
 
 
@@ -76,9 +76,25 @@ def _terms(content: Rule | Operator) -> Iterator[Term]:
     return (term for part in parts for term in part.terms)
 
 
+def _by_person(asking: Asking) -> Lessons:
+    """Lessons and facts of the session that one person taught."""
+    memory = asking.commons.memory
+    me = "me" in asking.main.lex
+    names = memory.user.lex - {"me"} if me else asking.main.lex
+    found = [
+        lesson
+        for lesson in reversed(list(asking.commons.lessons.values()))
+        if lesson.words and lesson.ident > 0 and lesson.teacher.lower() in (names or {""})
+    ]
+    return Lessons(asking.question, tuple(found))
+
+
 @answers("learned")
 def learned(asking: Asking) -> Lessons:
-    """Lessons of the day on which it is asked, newest first; a day begins at midnight of the clock on the wall."""
+    """Lessons of the day on which it is asked, newest first; a day begins at midnight of the clock on the wall. Where a
+    person is named: everything in force that the person taught or told."""
+    if asking.main.kind == "obj":
+        return _by_person(asking)
     offset_s = asking.asked.utc_offset_s
     today = (asking.asked.at_s + offset_s) // 86_400
     of_today = [

@@ -22,7 +22,8 @@ def taught(asking: Asking) -> Taught:
         return provenance(asking)
     act = asking.act
     if act is None:
-        return _newest(asking)
+        claim = asking.just_claimed
+        return _newest(asking) if claim is None else provenance(asking.of(claim))
     tags = ("ANTE",) if asking.main.negated else ("DO",)
     lessons = asking.about_acts(act, *tags)
     if asking.main.negated:
@@ -31,10 +32,23 @@ def taught(asking: Asking) -> Taught:
         ways = asking.ways_to(act)
         lessons = [lesson for lesson in ways if lesson.ident > 0]
         if ways and not lessons:
+            lessons = list(asking.aliases_of(asking.main.lex)) or _steps_of(asking, act)
             ordered = next((d.source for d in asking.deeds() if d.source), None)
-            return Taught(asking.question, asking.asked, told=ordered, born=True)
+            if not lessons:
+                return Taught(asking.question, asking.asked, told=ordered, born=True)
         lessons = lessons or asking.about_acts(act, "NOTE", "ANTE", "POST", "ALLOW")
     return Taught(asking.question, asking.asked, tuple(lessons))
+
+
+def _steps_of(asking: Asking, act: Graphlet) -> list[Lesson]:
+    """For a particular act of the body ("say phew"; not "drive"): the lesson by which it was done last, unless that was
+    a plain order; where it was never done, lessons that have it as a step."""
+    if len(act.terms) < 2:
+        return []
+    deed = next(asking.deeds(), None)
+    if deed is not None:
+        return [lesson for lesson in deed.within[-1:] if lesson.words]
+    return asking.with_step(act)
 
 
 def prohibits(lesson: Lesson) -> bool:
@@ -43,7 +57,7 @@ def prohibits(lesson: Lesson) -> bool:
 
 
 def _newest(asking: Asking) -> Taught:
-    lesson = next(reversed(asking.lessons), None)
+    lesson = next((x for x in reversed(asking.lessons) if not x.origins), None)
     told = next(reversed(asking.commons.experience.sources.values()), None)
     if told is not None and (lesson is None or told.at_s > lesson.at_s):
         return Taught(asking.question, asking.asked, told=told)
@@ -66,7 +80,7 @@ def provenance(asking: Asking) -> Taught:
         if node.kind in THINGS:  # "who told you about the block"
             return Taught(asking.question, asking.asked, told=_told_about(asking, node))
         if node.rule:
-            steps = inferences([node], commons.lessons)
+            steps = inferences([node], commons.lessons, None, commons.news)
             return Taught(asking.question, asking.asked, steps=steps)
         if (lesson := fact_lesson(asking, node)) is not None:
             return Taught(asking.question, asking.asked, (lesson,))

@@ -32,22 +32,35 @@ def how(asking: Asking) -> Reply:
     act = asking.act
     ways = asking.ways_to(act) if act is not None else []
     taught = tuple(lesson for lesson in ways if lesson.ident > 0)
+    if not taught and (meant := asking.aliases_of(asking.main.lex)):
+        return Lessons(asking.question, meant)
     if ways and not taught:
         return Taught(asking.question, asking.asked, born=True)
-    return Lessons(asking.question, taught)
+    corrections = {
+        lesson.ident
+        for change in asking.commons.policy.changes()
+        if change.retracted
+        for lesson in change.learned
+    }
+    revised = tuple(lesson for lesson in taught if lesson.ident in corrections)
+    return Lessons(asking.question, taught, revised)
+
+
+@answers("means")
+def means(asking: Asking) -> Reply:
+    """What a word was taught to stand for; else how that is done."""
+    meant = asking.aliases_of(asking.main.lex)
+    return Lessons(asking.question, meant) if meant else how(asking)
 
 
 @answers("happens")
 def happens(asking: Asking) -> Lessons:
-    """What is done on the occasion: reactions and rules that such a fact would set off; for an act, what comes before
-    and after it and what forbids it; for words said, what they mean."""
+    """What is done on the occasion: reactions and rules that such a fact would set off; for words said, what they
+    mean."""
     about = asking.question.about
     if (phrase := _said(about)) is not None:
         found = [lesson for lesson in asking.lessons if _is_called(lesson, phrase)]
         return Lessons(asking.question, tuple(found[::-1]))
-    if asking.about_act and asking.act is not None:
-        around = asking.about_acts(asking.act, "ANTE", "POST", "ALLOW")
-        return Lessons(asking.question, tuple(around))
     with asking.supposed(about) as binding:
         node = binding[about.main]
         facts = tuple(n for n in binding.values() if n.kind not in ("obj", "user", "self"))
@@ -58,6 +71,23 @@ def happens(asking: Asking) -> Lessons:
         rules = [step.lesson for step in inferences(concluded, asking.commons.lessons)]
     taught = [lesson for lesson in (*reactions, *rules) if lesson.words]
     return Lessons(asking.question, tuple(dict.fromkeys(taught)))
+
+
+@answers("before")
+def before(asking: Asking) -> Lessons:
+    """What comes before an act, what forbids it, and what allows it all the same."""
+    return _around(asking, "ANTE", "ALLOW")
+
+
+@answers("after")
+def after(asking: Asking) -> Lessons:
+    """What comes after an act."""
+    return _around(asking, "POST")
+
+
+def _around(asking: Asking, *tags: str) -> Lessons:
+    found = asking.about_acts(asking.act, *tags) if asking.act is not None else []
+    return Lessons(asking.question, tuple(found))
 
 
 def _said(about: Graphlet) -> str | None:

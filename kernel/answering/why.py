@@ -23,6 +23,8 @@ def why(asking: Asking) -> Reply:
     """
     if asking.main.kind != "act":
         return provenance(asking)
+    if asking.act is None and asking.main.ref != "that" and (claim := asking.just_claimed):
+        return provenance(asking.of(claim))
     denied = asking.main.negated
     found = list(asking.deeds())
     if not found and asking.main.lex & STOPPING:  # stopping is no deed: it ends one
@@ -39,8 +41,10 @@ def why(asking: Asking) -> Reply:
 
 
 def _because(asking: Asking, deed: Deed | None) -> Because:
-    root = asking.commons.experience.root(deed) if deed is not None else None
-    return Because(asking.question, asking.asked, deed, root)
+    experience = asking.commons.experience
+    root = experience.root(deed) if deed is not None else None
+    way = experience.way(deed) if deed is not None else None
+    return Because(asking.question, asking.asked, deed, root, way=way)
 
 
 def _never(asking: Asking, denied: bool) -> Because:

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Final
 
 from kernel.action.verdict import Verdict
 from kernel.memory.inference import Inference
-from kernel.memory.lesson import Lesson
+from kernel.memory.lesson import Lesson, Operator
 from kernel.net.graphlet import Graphlet
 from kernel.net.node import Node
 
@@ -88,6 +88,11 @@ class Deed:
     verdict: Verdict | None = None
     trouble: Trouble | None = None
 
+    def is_around(self, *tags: str) -> bool:
+        """It is no part of the deed above it: it goes before that (ANTE) or after it (POST)."""
+        last = self.within[-1].content if self.within else None
+        return isinstance(last, Operator) and last.trigger.tag in tags
+
     @property
     def going_on(self) -> bool:
         """It has not ended."""
@@ -154,6 +159,15 @@ class Experience:
         while (above := self._deeds.get(deed.parent)) is not None:
             deed = above
         return deed
+
+    def way(self, deed: Deed) -> Lesson | None:
+        """The lesson by which its newest step was done, if that says how to do the deed."""
+        for step in self:
+            if step.parent == deed.number and len(step.within) > len(deed.within):
+                lesson = step.within[len(deed.within)]
+                if isinstance(lesson.content, Operator) and lesson.content.trigger.tag == "DO":
+                    return lesson
+        return None
 
     def ancestors(self, deed: Deed) -> Iterator[Deed]:
         """What it is a step of, from the nearest on."""

@@ -27,6 +27,7 @@ class Because:
     Attributes:
         deed: what is explained; None: no such deed is remembered.
         root: the deed that it is a step of in the end.
+        way: the lesson that says how it is done, where it has steps.
         trouble: what stands in the way of a deed that was never attempted.
     """
 
@@ -35,6 +36,7 @@ class Because:
     deed: Deed | None = None
     root: Deed | None = None
     trouble: Trouble | None = None
+    way: Lesson | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -69,10 +71,14 @@ class Knowledge:
 
 @dataclass(frozen=True, slots=True)
 class Lessons:
-    """Lessons that answer the question; about "today" where that was asked."""
+    """Lessons that answer the question; about "today" where that was asked.
+
+    revised: those of them whose words are but a correction of what was taught before.
+    """
 
     question: Question | None
     lessons: tuple[Lesson, ...] = ()
+    revised: tuple[Lesson, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)

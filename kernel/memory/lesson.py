@@ -6,11 +6,12 @@ from dataclasses import dataclass
 from typing import Final, Literal
 
 from kernel.action.chain import Chain, Directive
-from kernel.net.graphlet import Graphlet
+from kernel.net.graphlet import Graphlet, Term
 
 # Number of the first operator of the body's own skills; the others are below.
 INNATE: Final = -1_000_000
 LEARN: Final = "learn"  # the act of taking a lesson or a fact: a person may forbid it as any other
+LEARNING: Final = Graphlet((Term("act-1", frozenset((LEARN,))),), "act-1")  # what ADD and EDIT do
 
 
 @dataclass(frozen=True, slots=True)

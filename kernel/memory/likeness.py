@@ -115,18 +115,19 @@ def _acts(chain: Chain) -> list[Graphlet]:
     return [d.graphlet for d in chain.directives() if d.tag == "DO" and d.graphlet]
 
 
-Never = Literal["both", "always_excepted", "only_itself"]
+Never = Literal["both", "always_excepted", "only_itself", "denies_itself", "nothing_new"]
 
 
 def never_fires(content: Content) -> Never | None:
     """Why the lesson can never come to anything.
 
     "both": it asks that something be so and not so; "always_excepted": an exception holds whenever it would apply;
-    "only_itself": the procedure's steps are nothing but itself.
+    "only_itself": the procedure's steps are nothing but itself; "denies_itself", "nothing_new": the rule concludes that
+    its own condition is not so, or is so.
     """
     match content:
         case Rule(condition=condition, unless=unless):
-            return _vain([condition], unless)
+            return _vain([condition], unless) or _circular(content)
         case Operator(trigger=Directive(graphlet=trigger), enablement=enablement, unless=unless):
             needed = [g for g in (trigger, *enablement) if g is not None]
             return _vain(needed, unless) or _only_itself(content)
@@ -157,6 +158,16 @@ def _denied_by(denial: Term, terms: list[Term]) -> bool:
 
 def _modified(name: str, terms: Iterable[Term]) -> set[tuple[str, frozenset[str]]]:
     return {(role, term.lex) for term in terms for role, to in term.links if to == name}
+
+
+def _circular(rule: Rule) -> Never | None:
+    net, bound = _drawn([rule.condition])
+    known = {n: bound[n] for n in rule.conclusion.mentioned if n in bound}
+    if len(known) == len(rule.conclusion.mentioned):  # an alias: the conclusion adds a word
+        return None
+    if holds(rule.conclusion.denied(), net, WORKING, known, 0.0):
+        return "denies_itself"
+    return "nothing_new" if holds(rule.conclusion, net, WORKING, known, 0.0) else None
 
 
 def _only_itself(operator: Operator) -> Never | None:

@@ -6,9 +6,11 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Final, Literal
 
+from kernel.memory.explanation import Taught
 from kernel.memory.lesson import Lesson
 from kernel.memory.meaning import Command, Fact
-from kernel.memory.reply import FeedbackTaken, Greeted, Reply, Why
+from kernel.memory.reply import Answer, FeedbackTaken, Greeted, Reply, Why
+from kernel.net.graphlet import Graphlet
 from kernel.net.node import Node
 
 if TYPE_CHECKING:
@@ -50,6 +52,8 @@ class Recent:
         command: the last one, and its focus.
         deed: the operator that the last DO or reaction was begun with.
         reply: the last one that said something; answered: it came after the last command.
+        claim: what was last said to be so, or not so, for as long as only that is talked about;
+            claim_s: when, monotonic.
     """
 
     thing: Literal["", "command", "motion", "change"] = ""
@@ -58,14 +62,22 @@ class Recent:
     deed: Lesson | None = None
     reply: Reply | None = None
     answered: bool = False
+    claim: Graphlet | None = None
+    claim_s: float = 0.0
 
     def begin(self, command: Command, focus: Focus) -> None:
         """A command is being carried out."""
         self.thing, self.command, self.focus = "command", command, focus
         self.deed, self.answered = None, False
 
-    def say(self, replies: list[Reply]) -> None:
+    def say(self, replies: list[Reply], now_s: float) -> None:
         """Something was replied; manners and thanks are nothing to say again."""
         for reply in replies:
             if not isinstance(reply, Greeted | FeedbackTaken):
                 self.reply, self.answered = reply, True
+            if isinstance(reply, Answer) and not reply.question.topic:
+                about = reply.question.about
+                self.claim = {"yes": about, "no": about.denied()}.get(reply.verdict)
+                self.claim_s = now_s
+            elif not isinstance(reply, Taught):
+                self.claim = None

@@ -149,7 +149,9 @@ class Resumed:
     afresh: bool = False
 
 
-Why = Literal["contradicts", "both", "always_excepted", "only_itself"]
+Why = Literal[
+    "contradicts", "both", "always_excepted", "only_itself", "denies_itself", "nothing_new"
+]
 
 
 @dataclass(frozen=True, slots=True)

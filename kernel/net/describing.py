@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Container
+
 from kernel.net.graphlet import Graphlet, Term
 from kernel.net.node import BAND_2, HYPOTHETICAL, MODIFIER_ROLES, Node
 
@@ -24,6 +26,7 @@ def describe(
     depth: int = BAND_2,
     concluded: bool = False,
     told_only: bool = False,
+    news: Container[Node] = (),
 ) -> Graphlet:
     """What is known of a node, as a graphlet: itself, what it points to, and what modifies any of these.
 
@@ -33,6 +36,7 @@ def describe(
         depth: level up to which what modifies them is taken.
         concluded: with the words that rules conclude of each now.
         told_only: without what modifies it by a rule's conclusion.
+        news: qualities that were told of a thing rather than said to tell which one it is; left out.
     """
     terms: dict[Node, Term] = {}
     pending = [node]
@@ -45,7 +49,11 @@ def describe(
         terms[here] = Term(here.name, words, here.literal, "", here.negated, here.belief, links)
         pending += [other for role, other in here.links if role != "cmd"]
         pending += [
-            p for p in descriptions(here) if p.level <= depth and not (told_only and p.rule)
+            p
+            for p in descriptions(here)
+            if p.level <= depth
+            and not (told_only and p.rule)
+            and not (p in news and here.kind == "obj" and any(role == "hq" for role, _ in p.links))
         ]
     shown = {n.name for n in terms}
     kept = tuple(t for t in terms.values() if all(other in shown for _, other in t.links))

@@ -151,10 +151,14 @@ GIRLS = Rule(
         pytest.param(Halted(True), "I have stopped.", "I have stopped.", id="halted"),
         pytest.param(Halted(False), "I was doing nothing.", "I was doing nothing.", id="idle"),
         pytest.param(
-            AskKeep(Lesson(2, "rule", PEOPLE), "contradicts", Lesson(1, "prohibition", NEVER_GRAB)),
-            "That contradicts \"I will never grab a person, instead I will say 'I'm not allowed to'\"."
+            AskKeep(
+                Lesson(2, "rule", PEOPLE),
+                "contradicts",
+                Lesson(1, "prohibition", NEVER_GRAB, "never grab a person", "mary"),
+            ),
+            "That contradicts what Mary taught me: never grab a person."
             " Shall I keep both, replace it, or cancel?",
-            "That contradicts I will never grab a person, instead I will say 'I'm not allowed to'."
+            "That contradicts what Mary taught me: never grab a person."
             " Shall I keep both, replace it, or cancel?",
             id="a contradiction",
         ),
@@ -219,7 +223,7 @@ GIRLS = Rule(
                 (NothingToDo("revise"), "I don't know what to change."),
                 (NothingToDo("repeat"), "There is nothing to repeat."),
                 (NothingToDo("answer"), "I did not ask anything."),
-                (NothingToDo("motion"), "I can't undo a motion, tell me what to do instead."),
+                (NothingToDo("motion"), "I can't undo a motion. Tell me what to do instead."),
                 (NothingToDo("inborn"), "I can't forget what my body can do."),
                 (FeedbackTaken(True), "Thank you."),
                 (FeedbackTaken(False, Lesson(1, "rule", PEOPLE)), "I will do that less often."),

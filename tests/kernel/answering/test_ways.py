@@ -74,7 +74,8 @@ def test_what_happens_before_and_after_an_act(robot: Questioned) -> None:
             f"trig: {tag}[ act-1 -lex- turn ]; pref: 1.0; ---------------; DO[ act-2 -lex- wait ]"
         )
         robot.taught("freddy", tag, text, "before" if tag == "ANTE" else "after")
-    assert lessons(robot, "what", "act-1 -lex- turn", "happens") == ["POST", "ANTE"]
+    assert lessons(robot, "what", "act-1 -lex- turn", "before") == ["ANTE"]
+    assert lessons(robot, "what", "act-1 -lex- turn", "after") == ["POST"]
 
 
 def test_abilities(robot: Questioned) -> None:
