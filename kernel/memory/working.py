@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable
 from typing import Final
 
+from kernel.memory.contraries import ended_by
 from kernel.memory.halo import Halo
 from kernel.memory.instance import telling_words
 from kernel.memory.promotion import Item, Promotions, Step
@@ -145,8 +146,9 @@ class WorkingMemory:
             The binding, and the nodes that carry the fact, main first.
         """
         binding = self.persons(fact, binding)
-        for opposite in list(matches(fact.denied(), self.net, REMEMBERED, binding, 0.0)):
-            self.retract(opposite[fact.main])
+        for ended in ended_by(fact, binding):
+            for former in list(matches(ended, self.net, REMEMBERED, binding, 0.0)):
+                self.retract(former[fact.main])
         for same in matches(fact, self.net, REMEMBERED, binding, 0.0):
             if same[fact.main] in self.told:
                 self.mention(same[fact.main])
