@@ -10,6 +10,7 @@ from kernel.action.verdict import Verdict
 from kernel.advising import AdvisedStep
 from kernel.calling import call
 from kernel.learning import learn
+from kernel.memory.contraries import definite, ended_by
 from kernel.memory.meaning import Question
 from kernel.memory.recall import Notice, answer, is_so, known, named, now_so, unnoticed
 from kernel.memory.reply import Answer, Failed, Reason
@@ -80,7 +81,8 @@ class RunningStep(AdvisedStep):
             return None
         memory.refresh()
         bound = known(graphlet, self.frame.binding)
-        for pattern, verdict in ((graphlet, True), (graphlet.denied(), False)):
+        wrong = ended_by(graphlet, bound.keys() | definite(graphlet))
+        for pattern, verdict in ((graphlet, True), *((w, False) for w in wrong)):
             for binding in matches(
                 pattern, memory.net, memory.depth, bound, self.selection.threshold
             ):

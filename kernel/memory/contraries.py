@@ -44,6 +44,13 @@ def ended_by(fact: Graphlet, known: Container[str] = ()) -> Iterator[Graphlet]:
     main = next((term for term in fact if term.name == fact.main), None)
     if main is None or main.negated or [role for role, _ in main.links] != ["hq"]:
         return
-    if all(thing in known for _, thing in main.links):
-        for word in sorted(w for group in EXCLUSIVE if main.lex <= group for w in group - main.lex):
-            yield Graphlet((replace(main, lex=frozenset((word,))),), fact.main)
+    if not all(thing in known for _, thing in main.links):
+        return
+    rest = [t for t in fact if t is not main and fact.main not in dict(t.links).values()]
+    for word in sorted(w for group in EXCLUSIVE if main.lex <= group for w in group - main.lex):
+        yield Graphlet((replace(main, lex=frozenset((word,))), *rest), fact.main)
+
+
+def definite(asked: Graphlet) -> set[str]:
+    """Names of the things in a question or condition that are called by name or spoken of as known."""
+    return {term.name for term in asked if term.lex or term.ref}

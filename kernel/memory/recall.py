@@ -6,6 +6,7 @@ from collections.abc import Callable, Iterable, Iterator, Sequence
 from typing import Final
 
 from kernel.action.chain import Directive
+from kernel.memory.contraries import definite, ended_by
 from kernel.memory.meaning import Question
 from kernel.memory.reply import Answer
 from kernel.memory.working import WorkingMemory
@@ -160,7 +161,8 @@ def answer(
             question, "found" if names else "unknown", (describe(memory.user),) * bool(names)
         )
     if question.ask == "yesno":
-        for pattern, positive in ((about, True), (about.denied(), False)):
+        wrong = ended_by(about, definite(about))
+        for pattern, positive in ((about, True), *((w, False) for w in wrong)):
             for binding in filter(is_so, matches(pattern, memory.net, REMEMBERED)):
                 memory.mention(binding[about.main])
                 use((pattern,), binding)
