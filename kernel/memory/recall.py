@@ -19,6 +19,9 @@ from kernel.net.node import REMEMBERED, Node
 ASSUMING_ROLES: Final = frozenset(("obj",))
 SPEECH_VERBS: Final = frozenset(("say", "tell", "ask", "greet"))
 THINGS: Final = frozenset(("obj", "user", "self"))
+PERSONS: Final = frozenset(
+    "person man woman boy girl child kid baby human guest visitor stranger friend neighbor owner".split()
+)
 
 
 def known(graphlet: Graphlet, binding: Binding) -> Binding:
@@ -55,6 +58,12 @@ def _is_topic(node: Node, memory: WorkingMemory) -> bool:
         and not memory.is_part(node)
         and bool(node.lex or any(role in ("ako", "hq") for role, _ in node.into))
     )
+
+
+def may_be_somebody(node: Node) -> bool:
+    """Whether "somebody" may stand for it: one with a name, a person, or what nothing is known of; no block."""
+    kinds = [kind for kind in node.modifiers("ako") if not kind.negated]
+    return bool(node.lex) or not kinds or any(kind.words() & PERSONS for kind in kinds)
 
 
 def may_assume(graphlet: Graphlet, later: Sequence[Directive]) -> bool:
