@@ -34,6 +34,7 @@ from kernel.memory.meaning import (
 )
 from kernel.memory.recent import Saying
 from kernel.memory.reply import FactTaken, Greeted, Met, NothingToDo
+from kernel.memory.teacher import in_own_name
 from kernel.memory.wondering import is_thing
 from kernel.net.graphlet import Graphlet
 from kernel.net.match import Binding
@@ -220,4 +221,5 @@ def _fact(commons: Commons, focus: Focus, fact: Graphlet, finds: tuple[Graphlet,
 def _lesson(focus: Focus, kind: LessonKind, content: Content) -> Lesson:
     """The lesson of an utterance, not stored yet."""
     change = focus.changing()
-    return Lesson(0, kind, content, change.words, change.by, change.at_s)
+    named = in_own_name(content, change.by)
+    return Lesson(0, kind, named, change.words, change.by, change.at_s)

@@ -66,6 +66,11 @@ def may_be_somebody(node: Node) -> bool:
     return bool(node.lex) or not kinds or any(kind.words() & PERSONS for kind in kinds)
 
 
+def stands_for_one(graphlet: Graphlet) -> bool:
+    """A bare pronoun: it means the newest thing that fits and, whatever comes of that, no other one."""
+    return all(term.ref and not term.lex and not term.links for term in graphlet.terms)
+
+
 def may_assume(graphlet: Graphlet, later: Sequence[Directive]) -> bool:
     """Whether a thing of this description may be taken to exist: as the object of an act, or someone to speak to.
 
