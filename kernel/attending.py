@@ -66,7 +66,8 @@ def attend(mind: Listener, commons: Commons, focus: Focus) -> Run:
     for name in heard.utterance.candidates:
         memory.net.link(focus.speech_act, "agt", memory.person(name.lower()))
     answered = managing.answered(commons, heard.meaning)
-    if not answered:
+    closed = commons.asked is not None and not answered
+    if closed:
         commons.asked = None  # whatever else is said closes the question
     if isinstance(heard.meaning, Command):
         _quote(commons, focus, heard.meaning)
@@ -74,6 +75,8 @@ def attend(mind: Listener, commons: Commons, focus: Focus) -> Run:
     yield from noted(commons, focus, (focus.speech_act,))
     if answered:
         return Verdict.SUCCEEDED
+    if closed and isinstance(heard.meaning, Command | Question):
+        yield from managing.settled(commons, focus)  # the lesson is kept: it counts for this already
     return (yield from _content(mind, commons, focus, heard))
 
 
