@@ -76,7 +76,9 @@ def attend(mind: Listener, commons: Commons, focus: Focus) -> Run:
     if answered:
         return Verdict.SUCCEEDED
     if closed and isinstance(heard.meaning, Command | Question):
-        yield from managing.settled(commons, focus)  # the lesson is kept: it counts for this already
+        yield from managing.settled(
+            commons, focus
+        )  # the lesson is kept: it counts for this already
     return (yield from _content(mind, commons, focus, heard))
 
 

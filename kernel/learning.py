@@ -31,9 +31,9 @@ LEARNING: Final = _learning()  # what ADD and EDIT are about, for operators on A
 def learn(commons: Commons, focus: Focus) -> Learning:
     """Learn the focus's lesson, once it is durable; whether nothing went wrong.
 
-    The same lesson again is known already, unless a newer one stands against it: then it is the newer now. The same in another strength takes the place of the old one. Where it
-    contradicts another or can never come to anything, the person is asked; without an answer both are kept, as the
-    newer one wins ties.
+    The same lesson again is known already; where a newer one stands against it, it is the newer now. The same in
+    another strength takes the place of the old one. Where it contradicts another or can never come to anything, the
+    person is asked; without an answer both are kept, as the newer one wins ties.
     """
     lesson = focus.lesson
     if lesson is None:

@@ -57,6 +57,16 @@ class RunningStep(AdvisedStep):
             yield
         return Verdict.SUCCEEDED
 
+    def set_about(self) -> None:
+        """Note what begins, where advice may be about it; what is done about what the robot does is not noted, as that
+        could go on for ever (ours)."""
+        net, me = self.commons.memory.net, self.commons.memory.me
+        if self.node is None or self.focus.own:
+            return
+        if any(self.commons.operators.for_node("NOTE", self.node, net)):
+            net.link(self.node, "agt", me)
+            self.commons.begun.append(self.node)
+
     def halt(self) -> None:
         """End what matches, but for what this is a step of."""
         if self.directive.graphlet is not None:
