@@ -7,7 +7,7 @@ telling it came from.
 from __future__ import annotations
 
 from grammars.alist import AList
-from grammars.build import Build
+from grammars.build import Build, NoMeaningError
 from grammars.clauses import told
 from grammars.registry import sentence_form
 from kernel.action.chain import Chain, Directive, Play
@@ -49,5 +49,7 @@ def trust(alist: AList) -> Teach:
         return Teach("permission", Operator(Directive("ANTE", done), chain, unless=(telling,)))
     both = build.sketch.graphlet(act, *(term.name for term in (*done, *telling)))
     if alist.has("may_order") or alist.has("may_obey"):
+        if build.negative:
+            raise NoMeaningError("nobody is no permission")
         return Teach("permission", Operator(Directive("ALLOW", both), Chain()))
     return Teach("permission", Operator(Directive("ANTE", both), chain))
