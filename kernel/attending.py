@@ -71,8 +71,9 @@ def attend(mind: Listener, commons: Commons, focus: Focus) -> Run:
         commons.asked = None  # whatever else is said closes the question
     if isinstance(heard.meaning, Command):
         _quote(commons, focus, heard.meaning)
+    said = _spoken(commons, focus, heard.utterance.text)
     memory.changed()
-    yield from noted(commons, focus, (focus.speech_act,))
+    yield from noted(commons, focus, (focus.speech_act, said))
     if answered:
         return Verdict.SUCCEEDED
     if closed and isinstance(heard.meaning, Command | Question):
@@ -80,6 +81,20 @@ def attend(mind: Listener, commons: Commons, focus: Focus) -> Run:
             commons, focus
         )  # the lesson is kept: it counts for this already
     return (yield from _content(mind, commons, focus, heard))
+
+
+def _spoken(commons: Commons, focus: Focus, text: str) -> Node:
+    """That the speaker says these words, for "when John says hello" and "until I say now": so until somebody speaks."""
+    net, memory = commons.memory.net, commons.memory
+    for owner, old in commons.spoken:
+        if owner.nodes.pop(old, old) is None:
+            net.drop(old)
+    words = net.new("txt")
+    words.literal = " ".join(text.split()).strip(".,!? ").lower()
+    said = net.new("input", "say", agt=memory.user, dest=memory.me, obj=words)
+    commons.spoken = [(focus, words), (focus, said)]
+    focus.nodes |= {words: None, said: None}
+    return said
 
 
 def _quote(commons: Commons, focus: Focus, command: Command) -> None:

@@ -52,6 +52,7 @@ class Commons:
         struck: tickets that must end at their next turn, and why: "ended" as if they were done, "stopped" for good,
             all other reasons as failures.
         doing: every DO under way; begun: acts that are to be noted, as they begin.
+        spoken: the nodes of the last utterance's words, and its focus.
         interrupted: commands that a stop or a cancel broke off, the one to go on with last (kernel.steering).
         steps: directives carried out in this tick.
         experience: what was done, and who told what.
@@ -80,6 +81,7 @@ class Commons:
     struck: dict[int, Reason | Literal["ended"]] = field(default_factory=dict)
     doing: list[Doing] = field(default_factory=list)
     begun: list[Node] = field(default_factory=list)
+    spoken: list[tuple[Focus, Node]] = field(default_factory=list)
     interrupted: list[Progress] = field(default_factory=list)
     tickets: int = 0
     steps: int = 0
