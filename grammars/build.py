@@ -7,7 +7,7 @@ from functools import cache
 from typing import Final
 
 from grammars.alist import AList
-from grammars.chains import count, plays
+from grammars.chains import bare_chain, count, plays
 from grammars.clauses import stated
 from grammars.things import NoMeaningError, Things
 from grammars.vocabulary import lines
@@ -176,9 +176,14 @@ class Build(Things):
 
     def chain(self, chain: AList) -> Chain:
         """Plays one after another; look-ups come before the play that needs them."""
-        made = [play for part in chain.all("play") for play in plays(self, part)]
-        for inner in chain.all("chain"):
-            made += self.chain(inner).plays
+        made: list[Play] = []
+        for part in chain:
+            if part.name == "play":
+                made += plays(self, part)
+            elif part.name == "chain":
+                made += self.chain(part).plays
+            elif part.name == "elliptic":  # "turn left then right"
+                made += self.chain(bare_chain(part)).plays
         return Chain(tuple(made))
 
     def looked_up(self) -> list[Play]:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Final
 
 from grammars.alist import AList
 from grammars.clauses import clause, condition
@@ -12,6 +12,10 @@ from kernel.net.graphlet import Graphlet, Term
 
 if TYPE_CHECKING:
     from grammars.build import Build
+
+
+TURNS: Final = frozenset(("left", "right", "clockwise", "counterclockwise", "around"))
+LIFTS: Final = {"up": "raise", "down": "lower"}
 
 
 def plays(build: Build, play: AList) -> list[Play]:
@@ -91,3 +95,19 @@ def count(cnt: AList) -> str:
     if cnt.has("twice"):
         return "2"
     return cnt.slot("num") or {"once": "1", "twice": "2"}.get(cnt.value or "", cnt.value or "1")
+
+
+def bare_chain(bare: AList) -> AList:
+    """ "Forward" is driving, "left" is turning, "higher" is raising the lift."""
+    plays = []
+    for part in bare.all("barely"):
+        parts = part.parts or (AList("dir", value=part.value),)
+        way = "up" if part.find("higher") is not None else (parts[0].value or "")
+        verb = "turn" if way in TURNS else LIFTS.get(way, "drive")
+        rest = parts[1:] if verb in LIFTS.values() else parts
+        if verb in LIFTS.values():
+            lift = AList("np", (AList("det", value="the"), AList("ako", value="lift")))
+            rest = (lift, *rest)
+        plays.append(AList("play", (AList("action", (AList("act", value=verb), *rest)),)))
+    inner = [bare_chain(more) for more in bare.all("bare")]
+    return AList("chain", (*plays, *inner))

@@ -16,9 +16,6 @@ PERSON_WORDS: Final = frozenset("someone somebody anyone anybody nobody".split()
     "no one",
 }
 NOBODY: Final = frozenset(("nothing", "nobody", "no one"))
-PERSONS: Final = frozenset(
-    "person man woman boy girl child kid baby human guest visitor stranger friend neighbor owner".split()
-)
 _NAMES_OF_WOMEN: Final = """
 mary janey mom jane sue ann anna anne alice emma olivia sophia emily elizabeth sarah sally susan lucy molly nancy
 grandma mommy

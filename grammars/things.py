@@ -19,7 +19,6 @@ from grammars.mentions import (
     OWNING,
     PERSON_WORDS,
     PERSONAL,
-    PERSONS,
     PLACES,
     REFS,
     SELF,
@@ -27,6 +26,7 @@ from grammars.mentions import (
     Thing,
 )
 from grammars.vocabulary import BORN
+from kernel.memory.recall import PERSONS
 from kernel.net.graphlet import Graphlet, Sketch, Term
 
 

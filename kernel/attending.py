@@ -33,6 +33,7 @@ from kernel.memory.meaning import (
 )
 from kernel.memory.recent import Saying
 from kernel.memory.reply import FactTaken, Greeted, Met, NothingToDo
+from kernel.memory.teacher import in_own_name
 from kernel.memory.wondering import is_thing
 from kernel.net.graphlet import Graphlet
 from kernel.net.match import Binding
@@ -64,15 +65,35 @@ def attend(mind: Listener, commons: Commons, focus: Focus) -> Run:
     for name in heard.utterance.candidates:
         memory.net.link(focus.speech_act, "agt", memory.person(name.lower()))
     answered = managing.answered(commons, heard.meaning)
-    if not answered:
+    closed = commons.asked is not None and not answered
+    if closed:
         commons.asked = None  # whatever else is said closes the question
     if isinstance(heard.meaning, Command):
         _quote(commons, focus, heard.meaning)
+    said = _spoken(commons, focus, heard.utterance.text)
     memory.changed()
-    yield from noted(commons, focus, (focus.speech_act,))
+    yield from noted(commons, focus, (focus.speech_act, said))
     if answered:
         return Verdict.SUCCEEDED
+    if closed and isinstance(heard.meaning, Command | Question):
+        yield from managing.settled(
+            commons, focus
+        )  # the lesson is kept: it counts for this already
     return (yield from _content(mind, commons, focus, heard))
+
+
+def _spoken(commons: Commons, focus: Focus, text: str) -> Node:
+    """That the speaker says these words, for "when John says hello" and "until I say now": so until somebody speaks."""
+    net, memory = commons.memory.net, commons.memory
+    for owner, old in commons.spoken:
+        if owner.nodes.pop(old, old) is None:
+            net.drop(old)
+    words = net.new("txt")
+    words.literal = " ".join(text.split()).strip(".,!? ").lower()
+    said = net.new("input", "say", agt=memory.user, dest=memory.me, obj=words)
+    commons.spoken = [(focus, words), (focus, said)]
+    focus.nodes |= {words: None, said: None}
+    return said
 
 
 def _quote(commons: Commons, focus: Focus, command: Command) -> None:
@@ -219,4 +240,5 @@ def _fact(commons: Commons, focus: Focus, fact: Graphlet, finds: tuple[Graphlet,
 def _lesson(focus: Focus, kind: LessonKind, content: Content) -> Lesson:
     """The lesson of an utterance, not stored yet."""
     change = focus.changing()
-    return Lesson(0, kind, content, change.words, change.by, change.at_s)
+    named = in_own_name(content, change.by)
+    return Lesson(0, kind, named, change.words, change.by, change.at_s)

@@ -51,7 +51,8 @@ class Commons:
         asked: what to do with a doubtful lesson: the question that is open; recent: what was done last.
         struck: tickets that must end at their next turn, and why: "ended" as if they were done, "stopped" for good,
             all other reasons as failures.
-        doing: every DO under way.
+        doing: every DO under way; begun: acts that are to be noted, as they begin.
+        spoken: the nodes of the last utterance's words, and its focus.
         interrupted: commands that a stop or a cancel broke off, the one to go on with last (kernel.steering).
         steps: directives carried out in this tick.
         experience: what was done, and who told what.
@@ -79,6 +80,8 @@ class Commons:
     facts: dict[int, Node] = field(default_factory=dict)
     struck: dict[int, Reason | Literal["ended"]] = field(default_factory=dict)
     doing: list[Doing] = field(default_factory=list)
+    begun: list[Node] = field(default_factory=list)
+    spoken: list[tuple[Focus, Node]] = field(default_factory=list)
     interrupted: list[Progress] = field(default_factory=list)
     tickets: int = 0
     steps: int = 0

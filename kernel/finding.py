@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING
 from kernel.action.chain import Directive
 from kernel.action.verdict import Verdict
 from kernel.memory.asking import PATIENCE_S, Asking, equal_best, which
-from kernel.memory.recall import may_assume, missing, referents
+from kernel.memory.recall import may_assume, missing, referents, stands_for_one
 from kernel.memory.wondering import is_thing, sought, spelled_out, values
 from kernel.net.graphlet import Graphlet
 from kernel.net.match import Binding
@@ -47,6 +47,8 @@ def bindings(frame: Frame, find: Directive, later: Sequence[Directive]) -> Optio
     if equal:
         meant = yield from _asked(frame, graphlet, equal)
         known = [option for option in known if option[graphlet.main] is meant]
+    if stands_for_one(graphlet):
+        known = known[:1]
     for option in known:
         tried.add(option[graphlet.main])
         use(frame.commons, frame.focus, (graphlet,), option)

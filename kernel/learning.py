@@ -22,9 +22,9 @@ Learning = Generator[None, None, bool]
 def learn(commons: Commons, focus: Focus) -> Learning:
     """Learn the focus's lesson, once it is durable; whether nothing went wrong.
 
-    The same lesson again is known already. The same in another strength takes the place of the old one. Where it
-    contradicts another or can never come to anything, the person is asked; without an answer both are kept, as the
-    newer one wins ties.
+    The same lesson again is known already; where a newer one stands against it, it is the newer now. The same in
+    another strength takes the place of the old one. Where it contradicts another or can never come to anything, the
+    person is asked; without an answer both are kept, as the newer one wins ties.
     """
     lesson = focus.lesson
     if lesson is None:
@@ -37,7 +37,9 @@ def learn(commons: Commons, focus: Focus) -> Learning:
     change = replace(focus.changing(), learned=(lesson,))
     old = next(iter(commons.shelves.alike(lesson.content)), None)
     if old is not None:
-        if old.strength == lesson.strength:
+        rival = commons.shelves.contradicting(lesson.content)
+        overtaken = rival is not None and rival.ident > old.ident
+        if old.strength == lesson.strength and not overtaken:
             commons.replies.append(KnownAlready(old))
             return True
         change = replace(change, retracted=(old.ident,))

@@ -20,6 +20,7 @@ from kernel.memory.meaning import Control, Fact, Meaning, Teach
 from kernel.memory.notation import canonical
 from kernel.memory.policy import Shift
 from kernel.memory.reply import Forgotten, NothingToDo, TakenBack
+from kernel.memory.teacher import in_own_name
 from kernel.net.graphlet import Graphlet
 
 
@@ -132,7 +133,7 @@ def forget(commons: Commons, focus: Focus, control: Control) -> Run:
     if control.lessons:
         return (yield from _by_number(commons, focus, control.lessons))
     if control.told is not None:
-        found = _told(commons, control.told)
+        found = _told(commons, control.told, focus.by)
     elif about is None:
         found = _last(commons)
     elif about.main.startswith("act"):
@@ -193,10 +194,10 @@ def _inborn(commons: Commons, act: Graphlet) -> bool:
     return False
 
 
-def _told(commons: Commons, told: Teach | Fact) -> list[Lesson]:
+def _told(commons: Commons, told: Teach | Fact, by: str) -> list[Lesson]:
     """Lessons in force that say the same, in whatever strength."""
     content = told.content if isinstance(told, Teach) else whole(told)
-    return commons.shelves.alike(content)
+    return commons.shelves.alike(in_own_name(content, by))
 
 
 def _last(commons: Commons) -> list[Lesson]:

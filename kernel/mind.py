@@ -248,6 +248,14 @@ class Mind:
             except RecursionError:
                 focus.failure = Failure("recursion")
                 self.close(focus, Verdict.FAILED)
+            self._notice_own_acts()
+
+    def _notice_own_acts(self) -> None:
+        begun, self._commons.begun = self._commons.begun, []
+        for node in begun:
+            focus = self._begin(notice, None, (node,), None)
+            focus.own = True
+            self._waking.append(focus)
 
     def active(self) -> list[Focus]:
         """Foci not handled yet, newest first."""

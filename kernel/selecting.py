@@ -10,7 +10,7 @@ from typing import Final
 from kernel.commons import Commons
 from kernel.memory.attention import Focus
 from kernel.memory.lesson import Lesson, Operator
-from kernel.memory.recall import known
+from kernel.memory.recall import known, may_be_somebody
 from kernel.memory.wondering import SEEKING_VERBS
 from kernel.net.graphlet import Graphlet
 from kernel.net.match import Binding, holds, matches
@@ -115,6 +115,8 @@ class Selection:
         for binding in matches(trigger, net, depth, start, threshold, self.supposed):
             if operator.trigger.tag == "NOTE" and not self._takes_part(binding):
                 continue
+            if not all(may_be_somebody(n) for n in _somebodies(trigger, binding)):
+                continue
             enabled = self._enabled(operator.enablement, binding, threshold)
             if enabled is None or any(
                 self._excepted(g, enabled, threshold) for g in operator.unless
@@ -197,6 +199,11 @@ class Selection:
             frozenset(),
         )
         return bool(words) and words <= speaker.words()
+
+
+def _somebodies(trigger: Graphlet, binding: Binding) -> list[Node]:
+    """What stands where the trigger has "somebody"."""
+    return [binding[term.name] for term in trigger if term.ref == "somebody"]
 
 
 def names_speaker(operator: Operator) -> bool:

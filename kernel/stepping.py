@@ -10,6 +10,7 @@ from kernel.action.verdict import Verdict
 from kernel.advising import AdvisedStep
 from kernel.calling import call
 from kernel.learning import learn
+from kernel.memory.contraries import definite, ended_by
 from kernel.memory.meaning import Question
 from kernel.memory.recall import Notice, answer, is_so, known, named, now_so, unnoticed
 from kernel.memory.reply import Answer, Failed, Reason
@@ -56,6 +57,16 @@ class RunningStep(AdvisedStep):
             yield
         return Verdict.SUCCEEDED
 
+    def set_about(self) -> None:
+        """Note what begins, where advice may be about it; what is done about what the robot does is not noted, as that
+        could go on for ever (ours)."""
+        net, me = self.commons.memory.net, self.commons.memory.me
+        if self.node is None or self.focus.own:
+            return
+        if any(self.commons.operators.for_node("NOTE", self.node, net)):
+            net.link(self.node, "agt", me)
+            self.commons.begun.append(self.node)
+
     def halt(self) -> None:
         """End what matches, but for what this is a step of."""
         if self.directive.graphlet is not None:
@@ -80,7 +91,8 @@ class RunningStep(AdvisedStep):
             return None
         memory.refresh()
         bound = known(graphlet, self.frame.binding)
-        for pattern, verdict in ((graphlet, True), (graphlet.denied(), False)):
+        wrong = ended_by(graphlet, bound.keys() | definite(graphlet))
+        for pattern, verdict in ((graphlet, True), *((w, False) for w in wrong)):
             for binding in matches(
                 pattern, memory.net, memory.depth, bound, self.selection.threshold
             ):

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from grammars.alist import AList
 from grammars.build import Build
+from grammars.chains import bare_chain
 from grammars.registry import sentence_form
 from kernel.memory.meaning import Command
 
@@ -28,6 +29,7 @@ EXAMPLES = (
     "turn left while the gripper is empty",
     "while the gripper is empty, turn left",
     "keep turning left",
+    "turn left twice then right",
     "keep backing up until nothing is close",
     "grab each blue block",
     "for every block grab it then release it",
@@ -35,8 +37,6 @@ EXAMPLES = (
     "keep the gripper closed while driving forward",
     "wait until the light is green",
 )
-TURNS = frozenset(("left", "right", "clockwise", "counterclockwise", "around"))
-LIFTS = {"up": "raise", "down": "lower"}
 
 
 @sentence_form("command", "command", EXAMPLES)
@@ -44,20 +44,4 @@ def command(alist: AList) -> Command:
     """A chain to be run at once."""
     build = Build()
     bare = alist.find("bare")
-    return Command(build.chain(alist.first("chain") if bare is None else _chain(bare)))
-
-
-def _chain(bare: AList) -> AList:
-    """ "Forward" is driving, "left" is turning, "higher" is raising the lift."""
-    plays = []
-    for part in bare.all("barely"):
-        parts = part.parts or (AList("dir", value=part.value),)
-        way = "up" if part.find("higher") is not None else (parts[0].value or "")
-        verb = "turn" if way in TURNS else LIFTS.get(way, "drive")
-        rest = parts[1:] if verb in LIFTS.values() else parts
-        if verb in LIFTS.values():
-            lift = AList("np", (AList("det", value="the"), AList("ako", value="lift")))
-            rest = (lift, *rest)
-        plays.append(AList("play", (AList("action", (AList("act", value=verb), *rest)),)))
-    inner = [_chain(more) for more in bare.all("bare")]
-    return AList("chain", (*plays, *inner))
+    return Command(build.chain(alist.first("chain") if bare is None else bare_chain(bare)))

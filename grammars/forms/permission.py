@@ -15,6 +15,7 @@ EXAMPLES = (
     "it is okay to lift the toy cat",
     "You may touch my sneakers.",
     "you are allowed to drive backwards now",
+    "you may turn left again",
 )
 
 
@@ -23,7 +24,7 @@ def permission(alist: AList) -> Teach:
     """An exception to what is forbidden."""
     build = Build()
     with build.drawing(pattern=True):
-        trigger = build.graphlet(build.action(alist.first("action", "gerunding")))
+        trigger = build.graphlet(build.action(_once_more(alist.first("action", "gerunding"))))
     operator = Operator(
         Directive("ALLOW", trigger),
         Chain(),
@@ -31,3 +32,16 @@ def permission(alist: AList) -> Teach:
         unless=exception(build, alist),
     )
     return Teach("permission", operator)
+
+
+def _once_more(action: AList) -> AList:
+    """ "You may turn left again" permits turning left, not only doing so again."""
+    return AList(
+        action.name,
+        tuple(part for part in action if not _is_again(part)),
+        action.value,
+    )
+
+
+def _is_again(part: AList) -> bool:
+    return part.name == "manner" and "again" in (part.value, part.slot("adv"))

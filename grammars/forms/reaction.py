@@ -17,6 +17,7 @@ EXAMPLES = (
     "When the battery is low, say feed me.",
     "if something is close and it is a person then stop and say pardon me",
     "if something is close back up unless it is a block",
+    "if something is very close unless the light is red then back up",
     "Close the door whenever you see Mom coming.",
     "say bless you when someone sneezes",
     "if you fail to grab something say oops",

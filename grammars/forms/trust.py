@@ -7,7 +7,7 @@ telling it came from.
 from __future__ import annotations
 
 from grammars.alist import AList
-from grammars.build import Build
+from grammars.build import Build, NoMeaningError
 from grammars.clauses import told
 from grammars.registry import sentence_form
 from kernel.action.chain import Chain, Directive, Play
@@ -23,13 +23,16 @@ EXAMPLES = (
     "don't let Rick teach you",
     "Rick may not teach you",
     "never learn anything from Rick",
+    "Rick may tell you to turn left",
+    "you may take orders from Janey",
+    "never lower the lift unless Mary tells you to",
 )
 
 
 @sentence_form("trust", "permission", EXAMPLES)
 def trust(alist: AList) -> Teach:
     """An operator on ANTE whose trigger is an act somebody told the robot to do; with "only", the telling is the
-    exception instead."""
+    exception instead. Who may tell it is permitted to."""
     build = Build()
     order = alist.find("ordered", "ordering") or alist
     speaker = order.find("np") or alist.first("np")
@@ -44,7 +47,11 @@ def trust(alist: AList) -> Teach:
     instead = alist.find("chain")
     plays = () if instead is None else build.chain(instead).plays
     chain = Chain((*plays, Play((Directive("PUNT"),))))
-    if alist.has("only"):
+    if alist.has("only") or alist.has("unless_ordered"):
         return Teach("permission", Operator(Directive("ANTE", done), chain, unless=(telling,)))
     both = build.sketch.graphlet(act, *(term.name for term in (*done, *telling)))
+    if alist.has("may_order") or alist.has("may_obey"):
+        if build.negative:
+            raise NoMeaningError("nobody is no permission")
+        return Teach("permission", Operator(Directive("ALLOW", both), Chain()))
     return Teach("permission", Operator(Directive("ANTE", both), chain))

@@ -42,6 +42,8 @@ def operator(content: Operator, voice: Voice) -> str:
             return _prohibition(telling, content)
         case "ANTE" | "POST":
             return _around(telling, content)
+        case "ALLOW" if (cause := _teller(content)) is not None:
+            return _may_tell(telling, cause, content)
         case "ALLOW":
             may = deed(telling, _main(content))
             return (
@@ -72,6 +74,9 @@ def shortened(content: Operator, act: str) -> list[str]:
                     return [f"I will not learn from {thing(telling, linked(cause, 'agt'))}"]
                 return [f"I will not always obey {thing(telling, linked(cause, 'agt'))}"]
             return [f"I will not {act}", f"I will not always {verb}"]
+        case "ALLOW" if (cause := _teller(content)) is not None and content.trigger.graphlet:
+            telling = Telling((content.trigger.graphlet,), (), "robot")
+            return [f"I may obey {thing(telling, linked(cause, 'agt'))}"]
         case "ALLOW":
             return [f"I may {act}", f"sometimes I may {verb}"]
         case "FIND" | "CHK" as tag:
@@ -241,10 +246,15 @@ def _only_from(telling: Telling, content: Operator) -> str | None:
     for exception in content.unless:
         for term in exception:
             if linked(term, "cmd") == _main(content):
-                speaker = thing(telling, linked(term, "agt"), "subject")
-                hearer = thing(telling, linked(term, "dest"))
-                return f"only {speaker} may tell {hearer} to {deed(telling, _main(content))}"
+                return f"only {_may_tell(telling, term, content)}"
     return None
+
+
+def _may_tell(telling: Telling, cause: Term, content: Operator) -> str:
+    """ "Mary may tell you to drive backward"."""
+    speaker = thing(telling, linked(cause, "agt"), "subject")
+    hearer = thing(telling, linked(cause, "dest"))
+    return f"{speaker} may tell {hearer} to {deed(telling, _main(content))}"
 
 
 def _enabled(telling: Telling, content: Operator) -> str:

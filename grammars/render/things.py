@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from typing import Final, Literal
 
-from grammars.mentions import PERSONS
 from grammars.morphology import article, comparative, gerund, plural, superlative
 from grammars.render.telling import Telling, linked, word
+from kernel.memory.recall import PERSONS
 from kernel.net.graphlet import Term
 
 Case = Literal["subject", "object", "possessive"]

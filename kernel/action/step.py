@@ -69,6 +69,9 @@ class Step(Protocol):
     def answer(self) -> None:
         """Reply to the question at hand from memory."""
 
+    def set_about(self) -> None:
+        """The action begins, and nothing forbids it: a fact to whoever was told what to do "when you turn left"."""
+
     def times(self) -> int:
         """How often the action is to be done: "twice" is 2."""
 

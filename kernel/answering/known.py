@@ -36,7 +36,7 @@ def know_about(asking: Asking) -> Knowledge:
     for thing in things:
         for node in dict.fromkeys(other for _, other in thing.into):
             new = says_something(node) and node.kind not in ("said", "input") and node.lex
-            if not new or node.lex <= words:
+            if not new or node.lex <= words or memory.is_part(node):
                 continue
             (inferred if node.rule else facts).append(describe(node))
     return Knowledge(asking.question, tuple(facts), tuple(inferred), _lessons(asking, words))

@@ -23,6 +23,7 @@ def do(step: Step) -> Run:
         if verdict is Verdict.STOPPED:
             return verdict
 
+    step.set_about()
     outcome = Verdict.FAILED
     for _ in range(step.times()):
         outcome = yield from _act(step)

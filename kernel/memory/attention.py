@@ -85,6 +85,7 @@ class Focus:
         preempted: when which lesson's reaction took a resource from it, s.
         waits: what its chains wait for: the grounding functions, the store, a condition, an answer; set by whatever
             yields, so that nothing waits for nothing.
+        own: it notes an act of the robot's own.
     """
 
     number: int
@@ -108,6 +109,7 @@ class Focus:
     dismissed: bool = False
     preempted: list[tuple[float, int]] = field(default_factory=list)
     waits: set[str] = field(default_factory=set)
+    own: bool = False
 
     @property
     def words(self) -> str:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass, field
 
+from kernel.memory.contraries import ended_by
 from kernel.memory.lesson import Rule
 from kernel.memory.rules import RuleInForce, is_loose
 from kernel.net.canon import canonical_names
@@ -37,7 +38,7 @@ class Plan:
         shape: text of the conclusion, equal for equal ones; known: names of the condition in it, in order.
         canon: canonical name of every name of the conclusion.
         new: terms of the nodes that the conclusion makes.
-        denied: the contrary of the conclusion.
+        denied: the contraries of the conclusion.
         words: of the conclusion; "" among them where a word alone does not tell.
     """
 
@@ -47,7 +48,7 @@ class Plan:
     known: tuple[str, ...]
     canon: dict[str, str]
     new: tuple[Term, ...]
-    denied: Graphlet
+    denied: tuple[Graphlet, ...]
     words: frozenset[str]
     unless: tuple[Unless, ...]
 
@@ -69,6 +70,7 @@ class Plan:
                 for t in conclusion.terms
             )
         )  # fmt: skip
+        denied = tuple(ended_by(conclusion, condition))
         return cls(
             tuple(sorted(condition)),
             alias,
@@ -76,8 +78,8 @@ class Plan:
             known,
             canon,
             () if alias else tuple(_made(conclusion, condition)),
-            conclusion.denied(),
-            _telling(conclusion),
+            denied,
+            frozenset().union(*map(_telling, (conclusion, *denied))),
             tuple(
                 Unless(g, tuple(n for n in sorted(g.mentioned) if n in condition), _telling(g))
                 for g in rule.unless
@@ -177,10 +179,11 @@ class Instance:
         """Whether what was told or sensed says the contrary: that beats any conclusion."""
         if self.plan.alias:
             return _told_otherwise(net, self.binding[self.rule.rule.conclusion.main], str(key[1]))
-        main = self.plan.denied.main
-        return all(map(net.has_word, self.plan.words - {""})) and any(
-            match[main].rule == 0
-            for match in matches(self.plan.denied, net, WORKING, self.known, 0.0)
+        return any(
+            match[denied.main].rule == 0
+            for denied in self.plan.denied
+            if all(map(net.has_word, denied.words()))
+            for match in matches(denied, net, WORKING, self.known, 0.0)
         )
 
 

@@ -6,6 +6,7 @@ from collections.abc import Callable, Iterable, Iterator, Sequence
 from typing import Final
 
 from kernel.action.chain import Directive
+from kernel.memory.contraries import definite, ended_by
 from kernel.memory.meaning import Question
 from kernel.memory.reply import Answer
 from kernel.memory.working import WorkingMemory
@@ -18,6 +19,9 @@ from kernel.net.node import REMEMBERED, Node
 ASSUMING_ROLES: Final = frozenset(("obj",))
 SPEECH_VERBS: Final = frozenset(("say", "tell", "ask", "greet"))
 THINGS: Final = frozenset(("obj", "user", "self"))
+PERSONS: Final = frozenset(
+    "person man woman boy girl child kid baby human guest visitor stranger friend neighbor owner".split()
+)
 
 
 def known(graphlet: Graphlet, binding: Binding) -> Binding:
@@ -54,6 +58,17 @@ def _is_topic(node: Node, memory: WorkingMemory) -> bool:
         and not memory.is_part(node)
         and bool(node.lex or any(role in ("ako", "hq") for role, _ in node.into))
     )
+
+
+def may_be_somebody(node: Node) -> bool:
+    """Whether "somebody" may stand for it: one with a name, a person, or what nothing is known of; no block."""
+    kinds = [kind for kind in node.modifiers("ako") if not kind.negated]
+    return bool(node.lex) or not kinds or any(kind.words() & PERSONS for kind in kinds)
+
+
+def stands_for_one(graphlet: Graphlet) -> bool:
+    """A bare pronoun: it means the newest thing that fits and, whatever comes of that, no other one."""
+    return all(term.ref and not term.lex and not term.links for term in graphlet.terms)
 
 
 def may_assume(graphlet: Graphlet, later: Sequence[Directive]) -> bool:
@@ -160,7 +175,8 @@ def answer(
             question, "found" if names else "unknown", (describe(memory.user),) * bool(names)
         )
     if question.ask == "yesno":
-        for pattern, positive in ((about, True), (about.denied(), False)):
+        wrong = ended_by(about, definite(about))
+        for pattern, positive in ((about, True), *((w, False) for w in wrong)):
             for binding in filter(is_so, matches(pattern, memory.net, REMEMBERED)):
                 memory.mention(binding[about.main])
                 use((pattern,), binding)

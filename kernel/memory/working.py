@@ -9,6 +9,8 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable
 from typing import Final
 
+from kernel.memory.born import part, speaker
+from kernel.memory.contraries import ended_by
 from kernel.memory.halo import Halo
 from kernel.memory.instance import telling_words
 from kernel.memory.promotion import Item, Promotions, Step
@@ -17,15 +19,7 @@ from kernel.memory.rules import RuleBook
 from kernel.net.describing import describe
 from kernel.net.graphlet import Graphlet
 from kernel.net.match import Binding, matches
-from kernel.net.node import (
-    BAND_1,
-    BAND_2,
-    HYPOTHETICAL,
-    REMEMBERED,
-    Net,
-    Node,
-    instantiate,
-)
+from kernel.net.node import BAND_1, BAND_2, HYPOTHETICAL, REMEMBERED, Net, Node, instantiate
 
 TOLD_LIMIT: Final = 1000  # mind.md: told facts a session keeps
 
@@ -54,11 +48,12 @@ class WorkingMemory:
         self._sensed_names: Binding = {}
         self._stale = True
         self.me = self.net.new("self", "you")
-        self._anyone = self.net.new("user", "me")
-        self.user = self._anyone
-        self._parts: dict[str, Node] = {}
-        self._born = frozenset(node for part in parts for node in self._part(part))
+        own = {noun: part(self.net, noun, self.me) for noun in parts}
+        self._parts = {noun: thing for noun, (thing, *_) in own.items()}
+        self._born = frozenset(node for nodes in own.values() for node in nodes)
         self._reach.keep(self._born)
+        self._anyone = self._somebody("me")
+        self.user = self._anyone
 
     def share(self, rules: RuleBook) -> None:
         """Conclude by the rules of another mind, which must not change meanwhile; before anything else is done."""
@@ -66,12 +61,6 @@ class WorkingMemory:
         self.halo = Halo(self.net, rules)
         self.promotions = Promotions(self.net, self.halo, rules)
         self.changed()
-
-    def _part(self, noun: str) -> tuple[Node, ...]:
-        thing = self._parts[noun] = self.net.new("obj")
-        kind = self.net.new("ako", noun, ako=thing)
-        mine = self.net.new("own", own=thing, of=self.me)
-        return thing, kind, mine
 
     def changed(self) -> None:
         """Something was added or taken away: what is in mind is to be worked out anew."""
@@ -145,8 +134,9 @@ class WorkingMemory:
             The binding, and the nodes that carry the fact, main first.
         """
         binding = self.persons(fact, binding)
-        for opposite in list(matches(fact.denied(), self.net, REMEMBERED, binding, 0.0)):
-            self.retract(opposite[fact.main])
+        for ended in ended_by(fact, binding):
+            for former in list(matches(ended, self.net, REMEMBERED, binding, 0.0)):
+                self.retract(former[fact.main])
         for same in matches(fact, self.net, REMEMBERED, binding, 0.0):
             if same[fact.main] in self.told:
                 self.mention(same[fact.main])
@@ -238,7 +228,7 @@ class WorkingMemory:
     # -- what is sensed --------------------------------------------------------------------
 
     def sense(
-        self, key: str, fact: Graphlet, part: tuple[str, str] | None = None
+        self, key: str, fact: Graphlet, of: tuple[str, str] | None = None
     ) -> tuple[Node, ...]:
         """Hold a sensed fact under a key until `unsense`; return its nodes.
 
@@ -247,11 +237,11 @@ class WorkingMemory:
         Args:
             key: of the fact, for its end.
             fact: what is so.
-            part: a name in the fact, and the noun of the robot's own part that it means.
+            of: a name in the fact, and the noun of the robot's own part that it means.
         """
         known = self.persons(fact, self._sensed_names)
-        if part is not None:
-            name, noun = part
+        if of is not None:
+            name, noun = of
             known[name] = self._parts[noun]
         bound = self.instantiate(fact, known)
         new = {name: node for name, node in bound.items() if name not in known}
@@ -275,7 +265,13 @@ class WorkingMemory:
     def person(self, name: str) -> Node:
         """Whoever is known by that name, or becomes so."""
         known = self._called(name)
-        return known[0] if known else self.net.new("user", name)
+        return known[0] if known else self._somebody(name)
+
+    def _somebody(self, name: str) -> Node:
+        person, kind = speaker(self.net, name)
+        self._born |= {kind}
+        self._reach.keep((kind,))
+        return person
 
     def person_speaking(self, name: str) -> None:
         """Make the named person the current user; "" is somebody not identified."""

@@ -1,0 +1,56 @@
+"""Qualities of which a thing has one at a time: who says that the light is green says that it is red no longer (ours).
+
+Only what a person would not think worth saying. A thing told to be green may have been told to be red a minute ago;
+both were true. Pure.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Container, Iterator
+from dataclasses import replace
+from typing import Final
+
+from kernel.net.graphlet import Graphlet
+
+EXCLUSIVE: Final = tuple(
+    frozenset(words.split())
+    for words in (
+        "red green blue yellow orange purple violet pink brown black white gray grey",
+        "open closed shut",
+        "on off",
+        "empty full",
+        "locked unlocked",
+        "clean dirty",
+        "wet dry",
+        "hot cold",
+        "heavy light",
+        "happy sad",
+        "awake asleep",
+        "near far",
+        "safe dangerous",
+    )
+)
+
+
+def ended_by(fact: Graphlet, known: Container[str] = ()) -> Iterator[Graphlet]:
+    """What is no longer so once the fact is: its contrary, and other qualities of the group on the same thing.
+
+    Args:
+        fact: what was told.
+        known: names in it of things that are known. Only of those another quality is taken back; a denial or a
+            comparison takes back nothing but its contrary.
+    """
+    yield fact.denied()
+    main = next((term for term in fact if term.name == fact.main), None)
+    if main is None or main.negated or [role for role, _ in main.links] != ["hq"]:
+        return
+    if not all(thing in known for _, thing in main.links):
+        return
+    rest = [t for t in fact if t is not main and fact.main not in dict(t.links).values()]
+    for word in sorted(w for group in EXCLUSIVE if main.lex <= group for w in group - main.lex):
+        yield Graphlet((replace(main, lex=frozenset((word,))), *rest), fact.main)
+
+
+def definite(asked: Graphlet) -> set[str]:
+    """Names of the things in a question or condition that are called by name or spoken of as known."""
+    return {term.name for term in asked if term.lex or term.ref}
