@@ -111,10 +111,12 @@ class AdvisedStep:
             [c.specificity for c in found],
             self.commons.settings.sharpness,
         )
+        depth = len(self.frame.within)
         self.commons.record(
             "considered",
             self.focus,
             tag=tag,
+            depth=depth,
             options=tuple(c.lesson.ident for c in found),
             weights=tuple(round(w, 3) for w in weights),
         )
@@ -122,7 +124,6 @@ class AdvisedStep:
             iter(found) if tag in ("ANTE", "POST") else in_turn(found, weights, self.commons.chance)
         )
         for choice in order:
-            depth = len(self.frame.within)
             self.commons.record(
                 "chosen", self.focus, tag=tag, lesson=choice.lesson.ident, depth=depth
             )

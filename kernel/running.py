@@ -83,7 +83,9 @@ class Frame:
                 later = [d for p in chain.plays[index + 1 :] for d in Chain((p,)).directives()]
                 options = bindings(self, find, later)
                 yield from self.breathe()
+                self.commons.record("directive", self.focus, **self.told(find))
                 binding = yield from following(options)
+                self.found_out(find, binding)
                 if binding is None:
                     not_found(self, find)
                     verdict = Verdict.FAILED
@@ -103,6 +105,8 @@ class Frame:
             while open_finds:
                 index, options = open_finds[-1]
                 binding = yield from following(options)
+                if (find := _lone_find(chain.plays[index])) is not None:
+                    self.found_out(find, binding)
                 if binding is not None:
                     self.binding = binding
                     index += 1
@@ -159,7 +163,7 @@ class Frame:
             self.explain("no_way", None, directive.tag)
             return Verdict.FAILED
         yield from self.breathe()
-        told = {"tag": directive.tag, "text": directive_text(directive), "depth": len(self.within)}
+        told = self.told(directive)
         self.commons.record("directive", self.focus, **told)
         step = RunningStep(self, directive)
         run = code(step)
@@ -177,6 +181,20 @@ class Frame:
         finally:
             self.commons.record("directive_ended", self.focus, verdict=verdict.value, **told)
         return verdict
+
+    def told(self, directive: Directive) -> dict[str, str | int]:
+        """What the trace says of a directive."""
+        return {"tag": directive.tag, "text": directive_text(directive), "depth": len(self.within)}
+
+    def found_out(self, find: Directive, binding: Binding | None) -> None:
+        """Leave in the trace what a look-up came to, each time it is gone back to."""
+        words: list[str] = []
+        if binding is not None and find.graphlet is not None:
+            node = binding[find.graphlet.main]
+            words = sorted(word for n in (node, *descriptions(node)) for word in n.lex)
+        verdict = Verdict.FAILED if binding is None else Verdict.SUCCEEDED
+        told = {"verdict": verdict.value, "found": " ".join(words), **self.told(find)}
+        self.commons.record("directive_ended", self.focus, **told)
 
     def recalled(self, graphlet: Graphlet) -> Binding | None:
         """See kernel.finding."""
