@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from typing import TYPE_CHECKING, Final
 
 from kernel import adapting
@@ -155,8 +155,8 @@ class AdvisedStep:
         self.selection.threshold = self.commons.settings.desperate_threshold
         return True
 
-    def run(self, advice: Advice) -> Run:
-        """Run the operator's chain in a frame of its own."""
+    def run(self, advice: Advice, over: Callable[[], bool] | None = None) -> Run:
+        """Run the operator's chain in a frame of its own, in which no step begins any more once it is over."""
         assert isinstance(advice, Chosen)
         if len(self.frame.within) >= self.commons.settings.depth:
             self.frame.explain("too_deep", self.node)
@@ -169,6 +169,7 @@ class AdvisedStep:
         if tag == "DO":
             frame.manners = left_over(self.node, advice.binding.values())
         frame.deed = self.deed or frame.deed
+        frame.overs += (over,) if over else ()
         if advice.operator.trigger.tag == "NOTE":
             frame.occasion = occasion_of(self.commons, advice.lesson, advice.binding)
         frame.acts += (self.node,) if self.directive.tag == "DO" and self.node else ()

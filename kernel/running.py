@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Generator
+from collections.abc import Callable, Generator
 from dataclasses import replace
 
 from kernel.action.chain import Chain, Directive, Loop, Part, Play
@@ -38,6 +38,7 @@ class Frame:
     ) -> None:
         """A frame without history.
 
+        overs: whether what it is a part of is over: then no step of it begins.
         acts: the acts it is a part of, outermost first. endless: its one step has no end of its own. made: the nodes
         made in it, where these are to go before the focus does.
         """
@@ -48,6 +49,7 @@ class Frame:
         self.occasion: Occasion | None = None
         self.deed = 0
         self.acts: tuple[Node, ...] = ()
+        self.overs: tuple[Callable[[], bool], ...] = ()
         self.endless = False
         self.made: list[Node] | None = None
 
@@ -191,17 +193,20 @@ class Frame:
         words: list[str] = []
         if binding is not None and find.graphlet is not None:
             node = binding[find.graphlet.main]
-            words = sorted(word for n in (node, *descriptions(node)) for word in n.lex)
+            told = (node, *descriptions(node))
+            words = sorted("not " * n.negated + word for n in told for word in n.lex)
         verdict = Verdict.FAILED if binding is None else Verdict.SUCCEEDED
-        told = {"verdict": verdict.value, "found": " ".join(words), **self.told(find)}
-        self.commons.record("directive_ended", self.focus, **told)
+        ended = {"verdict": verdict.value, "found": " ".join(words), **self.told(find)}
+        self.commons.record("directive_ended", self.focus, **ended)
 
     def recalled(self, graphlet: Graphlet) -> Binding | None:
         """See kernel.finding."""
         return recalled(self, graphlet)
 
     def breathe(self) -> Generator[None, None, None]:
-        """Count a step; after too many in one tick, wait for the next."""
+        """Count a step; after too many in one tick, wait for the next. Once it is over, leave it to be ended."""
+        if any(over() for over in self.overs):
+            yield
         if self.commons.out_of_breath:
             self.commons.record("yielded", self.focus, steps=self.commons.steps)
         while self.commons.out_of_breath:
@@ -266,7 +271,7 @@ class Frame:
         """A frame below this one, with its descent."""
         frame = Frame(self.commons, self.focus, binding, within)
         frame.occasion, frame.deed = self.occasion, self.deed
-        frame.acts, frame.made = self.acts, self.made
+        frame.acts, frame.made, frame.overs = self.acts, self.made, self.overs
         return frame
 
 

@@ -136,7 +136,7 @@ def act(robot: Any, key: str, rest: str, settle: bool) -> None:
         case speaker:
             words = from_policy(robot.mind.policy)
             said_by = "" if speaker in ("you", "given") else speaker.lower()
-            robot.hear(parse(rest, words).meaning, rest, said_by)
+            robot.hear(parse(rest, words, robot.mind.expecting).meaning, rest, said_by)
     if settle or key == "given":
         robot.settle(120)
     else:
