@@ -22,6 +22,7 @@ Each *.txt here is a table of cases, each as a person and the world would make i
     ends: succeeded                               the focus
     reply Failed no_way                           what the person is told
     moved drive, turn                             motions that reached the body, in order
+    said hello, goodbye                           what was spoken
 
 `@1.0` is the time, s; lines of a second focus begin with its number ("2| "). Lessons are in force before the first
 line; what they do themselves is not in the trace, nor is a focus in which nothing happens, nor the telling of a failure
@@ -145,10 +146,11 @@ def act(robot: Any, key: str, rest: str, settle: bool) -> None:
         robot.trace.clear()
         robot.replies.clear()
         robot.moves.clear()
+        robot.said.clear()
 
 
 def told(robot: Any, labels: dict[int, str]) -> Iterator[str]:
-    """The trace as lines, then the replies, then the motions."""
+    """The trace as lines, then the replies, then what the body did."""
     lines: dict[int, list[str]] = {}
     entries: list[tuple[float, int, str]] = []
     for record in robot.trace:
@@ -169,6 +171,8 @@ def told(robot: Any, labels: dict[int, str]) -> Iterator[str]:
         yield reply_line(reply, labels)
     if robot.moved:
         yield "moved " + ", ".join(MOTIONS[type(command)] for command in robot.moved)
+    if robot.said:
+        yield "said " + ", ".join(robot.said)
 
 
 def line_of(record: Record, labels: dict[int, str]) -> str | None:
