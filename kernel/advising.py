@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from typing import TYPE_CHECKING, Final
 
 from kernel import adapting
@@ -111,10 +111,12 @@ class AdvisedStep:
             [c.specificity for c in found],
             self.commons.settings.sharpness,
         )
+        depth = len(self.frame.within)
         self.commons.record(
             "considered",
             self.focus,
             tag=tag,
+            depth=depth,
             options=tuple(c.lesson.ident for c in found),
             weights=tuple(round(w, 3) for w in weights),
         )
@@ -122,7 +124,6 @@ class AdvisedStep:
             iter(found) if tag in ("ANTE", "POST") else in_turn(found, weights, self.commons.chance)
         )
         for choice in order:
-            depth = len(self.frame.within)
             self.commons.record(
                 "chosen", self.focus, tag=tag, lesson=choice.lesson.ident, depth=depth
             )
@@ -156,8 +157,8 @@ class AdvisedStep:
         self.selection.threshold = self.commons.settings.desperate_threshold
         return True
 
-    def run(self, advice: Advice) -> Run:
-        """Run the operator's chain in a frame of its own."""
+    def run(self, advice: Advice, over: Callable[[], bool] | None = None) -> Run:
+        """Run the operator's chain in a frame of its own, in which no step begins any more once it is over."""
         assert isinstance(advice, Chosen)
         if len(self.frame.within) >= self.commons.settings.depth:
             self.frame.explain("too_deep", self.node)
@@ -170,6 +171,7 @@ class AdvisedStep:
         if tag == "DO":
             frame.manners = left_over(self.node, advice.binding.values())
         frame.deed = self.deed or frame.deed
+        frame.overs += (over,) if over else ()
         if advice.operator.trigger.tag == "NOTE":
             frame.occasion = occasion_of(self.commons, advice.lesson, advice.binding)
         frame.acts += (self.node,) if self.directive.tag == "DO" and self.node else ()

@@ -87,7 +87,19 @@ def _served(commons: Commons, focus: Focus, act: Node, running: Act, name: str, 
             if focus is commons.recent.focus and commons.recent.thing == "command":
                 commons.recent.thing = "motion"
         focus.waits.add(name)
-        yield
+        try:
+            yield
+        except GeneratorExit:
+            _withdraw(commons, focus, ticket)
+            raise
+
+
+def _withdraw(commons: Commons, focus: Focus, ticket: int) -> None:
+    """What ends in the tick it bid in, because of something beside it, does not reach the body any more."""
+    commons.claims[:] = [claim for claim in commons.claims if claim.bid.ticket != ticket]
+    for bid in [bid for bid in commons.speech if bid.ticket == ticket]:
+        commons.speech.remove(bid)
+        focus.said -= 1
 
 
 def _explained(error: KernelError, act: Node) -> Failure:

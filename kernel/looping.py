@@ -30,6 +30,10 @@ def looped(frame: Frame, loop: Loop) -> Run:
     if rounds is None:
         return Verdict.FAILED
     clock, endless, idle = frame.commons.tick, _is_open(loop), 0
+
+    def over() -> bool:
+        return _holding(frame, loop) is None
+
     made: list[list[Node]] = [[], []]  # in the round before, and in this one
     try:
         while (held := _holding(frame, loop)) is not None:
@@ -41,8 +45,9 @@ def looped(frame: Frame, loop: Loop) -> Run:
             made.reverse()
             inner = frame.inner({**held, **binding}, made[1])
             inner.endless = endless
+            inner.overs = (*frame.overs, over)
             run = inner.chain(loop.body)
-            verdict = yield from break_off(run, lambda: _holding(frame, loop) is None)
+            verdict = yield from break_off(run, over)
             if not verdict.ok:
                 return verdict
             idle = idle + 1 if clock.now_s == began_s else 0

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Generator
+from collections.abc import Callable, Generator
 from dataclasses import replace
 
 from kernel.action.chain import Chain, Directive, Loop, Part, Play
@@ -38,6 +38,7 @@ class Frame:
     ) -> None:
         """A frame without history.
 
+        overs: whether what it is a part of is over: then no step of it begins.
         acts: the acts it is a part of, outermost first. endless: its one step has no end of its own. made: the nodes
         made in it, where these are to go before the focus does.
         """
@@ -48,6 +49,7 @@ class Frame:
         self.occasion: Occasion | None = None
         self.deed = 0
         self.acts: tuple[Node, ...] = ()
+        self.overs: tuple[Callable[[], bool], ...] = ()
         self.endless = False
         self.made: list[Node] | None = None
 
@@ -83,7 +85,9 @@ class Frame:
                 later = [d for p in chain.plays[index + 1 :] for d in Chain((p,)).directives()]
                 options = bindings(self, find, later)
                 yield from self.breathe()
+                self.commons.record("directive", self.focus, **self.told(find))
                 binding = yield from following(options)
+                self.found_out(find, binding)
                 if binding is None:
                     not_found(self, find)
                     verdict = Verdict.FAILED
@@ -103,6 +107,8 @@ class Frame:
             while open_finds:
                 index, options = open_finds[-1]
                 binding = yield from following(options)
+                if (find := _lone_find(chain.plays[index])) is not None:
+                    self.found_out(find, binding)
                 if binding is not None:
                     self.binding = binding
                     index += 1
@@ -159,7 +165,7 @@ class Frame:
             self.explain("no_way", None, directive.tag)
             return Verdict.FAILED
         yield from self.breathe()
-        told = {"tag": directive.tag, "text": directive_text(directive), "depth": len(self.within)}
+        told = self.told(directive)
         self.commons.record("directive", self.focus, **told)
         step = RunningStep(self, directive)
         run = code(step)
@@ -178,12 +184,29 @@ class Frame:
             self.commons.record("directive_ended", self.focus, verdict=verdict.value, **told)
         return verdict
 
+    def told(self, directive: Directive) -> dict[str, str | int]:
+        """What the trace says of a directive."""
+        return {"tag": directive.tag, "text": directive_text(directive), "depth": len(self.within)}
+
+    def found_out(self, find: Directive, binding: Binding | None) -> None:
+        """Leave in the trace what a look-up came to, each time it is gone back to."""
+        words: list[str] = []
+        if binding is not None and find.graphlet is not None:
+            node = binding[find.graphlet.main]
+            told = (node, *descriptions(node))
+            words = sorted("not " * n.negated + word for n in told for word in n.lex)
+        verdict = Verdict.FAILED if binding is None else Verdict.SUCCEEDED
+        ended = {"verdict": verdict.value, "found": " ".join(words), **self.told(find)}
+        self.commons.record("directive_ended", self.focus, **ended)
+
     def recalled(self, graphlet: Graphlet) -> Binding | None:
         """See kernel.finding."""
         return recalled(self, graphlet)
 
     def breathe(self) -> Generator[None, None, None]:
-        """Count a step; after too many in one tick, wait for the next."""
+        """Count a step; after too many in one tick, wait for the next. Once it is over, leave it to be ended."""
+        if any(over() for over in self.overs):
+            yield
         if self.commons.out_of_breath:
             self.commons.record("yielded", self.focus, steps=self.commons.steps)
         while self.commons.out_of_breath:
@@ -248,7 +271,7 @@ class Frame:
         """A frame below this one, with its descent."""
         frame = Frame(self.commons, self.focus, binding, within)
         frame.occasion, frame.deed = self.occasion, self.deed
-        frame.acts, frame.made = self.acts, self.made
+        frame.acts, frame.made, frame.overs = self.acts, self.made, self.overs
         return frame
 
 

@@ -29,7 +29,7 @@ class RunningStep(AdvisedStep):
     def pursue(self, advice: Advice) -> Run:
         """Run the operator's chain until the condition is so; what went wrong on the way does not count then."""
         before = self.focus.failure
-        verdict = yield from break_off(self.run(advice), self.is_so)
+        verdict = yield from break_off(self.run(advice, self.is_so), self.is_so)
         if self.directive.tag == "KEEP" and self.frame.made is not None:
             self.frame.put_away(self.frame.made)
         if self.is_so():

@@ -80,7 +80,8 @@ class Step(Protocol):
 
 
 def break_off(run: Run, over: Callable[[], bool]) -> Run:
-    """Run it, and end it, succeeding, as soon as `over` says so: in that very tick, before it gets its turn."""
+    """Run it, and end it, succeeding, as soon as `over` says so: in that very tick, before it gets its turn, and after
+    its turn, where it has made it so itself."""
     try:
         while not over():
             try:
@@ -88,6 +89,8 @@ def break_off(run: Run, over: Callable[[], bool]) -> Run:
             except StopIteration as end:
                 verdict: Verdict = end.value
                 return verdict
+            if over():
+                break
             yield
     finally:
         run.close()

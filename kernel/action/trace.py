@@ -9,9 +9,9 @@ from typing import Literal
 What = Literal[
     "focus",  # a focus was posted: data text
     "directive",  # one was posted: data tag, text, depth (operators it is done within)
-    "directive_ended",  # the same, and verdict
-    "considered",  # operators that matched and their weights
-    "chosen",  # the operator chosen
+    "directive_ended",  # the same, and verdict; of a look-up, each time it is gone back to: found, words of the thing
+    "considered",  # operators that matched and their weights; data depth
+    "chosen",  # the operator chosen; data depth
     "action_started",  # a grounding function was called: data function, words, text
     "action_ended",  # data function, verdict
     "resource_lost",
