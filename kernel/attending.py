@@ -65,8 +65,8 @@ def attend(mind: Listener, commons: Commons, focus: Focus) -> Run:
     for name in heard.utterance.candidates:
         memory.net.link(focus.speech_act, "agt", memory.person(name.lower()))
     answered = managing.answered(commons, heard.meaning)
-    if not answered:
-        commons.asked = None  # whatever else is said closes the question
+    if not answered and commons.asked is not None and commons.asked.focus < focus.number:
+        commons.asked = None  # whatever else is said after it closes the question
     if isinstance(heard.meaning, Command):
         _quote(commons, focus, heard.meaning)
     memory.changed()

@@ -51,7 +51,8 @@ def learn(commons: Commons, focus: Focus) -> Learning:
             return True
         change = replace(change, retracted=(old.ident,))
     elif (doubt := _doubt(commons, lesson)) is not None:
-        answer = yield from _answer(commons, focus, Asked(lesson, *doubt, _until_s(commons)))
+        asked = Asked(lesson, *doubt, _until_s(commons), focus.number)
+        answer = yield from _answer(commons, focus, asked)
         if answer == "cancel":
             commons.replies.append(LessonDropped(lesson))
             return True

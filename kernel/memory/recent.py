@@ -31,6 +31,7 @@ class Asked:
 
     Attributes:
         until_s: it is closed then.
+        focus: number of the focus that waits for the answer.
         answer: "" while it is open.
     """
 
@@ -38,6 +39,7 @@ class Asked:
     why: Why
     other: Lesson | None
     until_s: float
+    focus: int
     answer: Literal["", "keep", "replace", "cancel"] = ""
 
 
