@@ -22,7 +22,7 @@ from grammars.replies import say
 from grammars.vocabulary import extended, from_policy
 from kernel.action.call import BodyState
 from kernel.memory.exchange import Inputs, Outputs
-from kernel.memory.meaning import Command, Heard, Revision, Utterance
+from kernel.memory.meaning import Command, Control, Heard, Revision, Utterance
 from kernel.memory.reply import FactTaken, LessonTaken
 
 if TYPE_CHECKING:
@@ -183,7 +183,9 @@ class Cycle:
             del self._sources[next(iter(self._sources))]
 
     def _dropped(self, heard: Heard) -> bool:
-        if not isinstance(heard.meaning, Command | Revision):
+        meaning = heard.meaning
+        goes_on = isinstance(meaning, Control) and meaning.act in ("resume", "repeat")
+        if not (goes_on or isinstance(meaning, Command | Revision)):
             return False
         text = heard.utterance.text
         self._emit(events.Ended(t=self.now_s, text=text, verdict="stopped", utterance=text))

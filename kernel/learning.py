@@ -137,13 +137,11 @@ def _answer(commons: Commons, focus: Focus, asked: Asked) -> Generator[None, Non
     """Ask, and wait for the answer: until another utterance, a stop, or time closes the question."""
     commons.asked = asked
     commons.replies.append(AskKeep(asked.lesson, asked.why, asked.other))
-    focus.waiting = True
     try:
         while commons.asked is asked and not asked.answer and commons.tick.now_s < asked.until_s:
             focus.waits.add("answer")
             yield
     finally:
-        focus.waiting = False
         if commons.asked is asked:
             commons.asked = None
     return asked.answer

@@ -79,11 +79,13 @@ class Watched:
         self.tick()
         out, commons = self.robot.out, self.mind._commons
         assert out.bids == ()
-        assert out.speech == ()
+        begun = {r.data["ticket"]: r.focus for r in out.trace if r.what == "action_started"}
+        old = {focus.number for focus in before}
+        assert all(begun.get(bid.ticket, 0) not in old for bid in out.speech), "it speaks on"
         assert all(focus.ended_s is not None for focus in before), "it goes on after a stop"
         assert all(doing.focus not in before for doing in commons.doing)
         for open_question in (commons.asking, commons.asked):
-            assert open_question is None or open_question.focus not in {f.number for f in before}
+            assert open_question is None or open_question.focus not in old
         assert not self.robot.body.state.moving
 
     def _restart(self) -> None:
