@@ -138,7 +138,7 @@ class Robot:
         for ticket in spoken:
             del self._speaking[ticket]
         kept, failed = self._stored_by_now()
-        self.out = self.mind.tick(
+        self.out = self.think(
             Inputs(
                 now_s=self.now_s,
                 body=replace(self.body.state, at_s=self.now_s),
@@ -162,16 +162,24 @@ class Robot:
         self.body.act(self.out.bids, dt_s)
         return self.out
 
+    def think(self, inputs: Inputs) -> Outputs:
+        """The mind's part of a tick."""
+        return self.mind.tick(inputs)
+
     def restart(self) -> None:
         """A new mind from what is stored; what was going on is gone, and the body rests."""
         lessons, seed, settings = self._begun_with
-        self.mind = Mind(lessons, seed, settings, self.journal)
+        self.mind = Mind(lessons, seed, settings, self.history())
         self._storing.clear()
         self._heard.clear()
         self._speaking.clear()
         self._tickets.clear()
         self.body = type(self.body)(state=replace(self.body.state, moving=False))
         self.out, self._epoch = Outputs(), 0
+
+    def history(self) -> Iterable[Change]:
+        """What is stored, oldest first."""
+        return self.journal
 
     def _stored_by_now(self) -> tuple[list[tuple[int, Change]], list[tuple[int, str]]]:
         """The store's answers of this tick: changes kept, in the order they came, and those that could not be."""
@@ -182,12 +190,13 @@ class Robot:
         while self._storing and self._storing[0][0] <= self.now_s:
             _, key, change = self._storing.pop(0)
             if self.keep:
-                kept.append((key, self._store(change)))
+                kept.append((key, self.store(change)))
             else:
                 failed.append((key, "disk full"))
         return kept, failed
 
-    def _store(self, change: Change) -> Change:
+    def store(self, change: Change) -> Change:
+        """Keep a change; the same with the numbers it and its lessons have then."""
         learned = []
         for lesson in change.learned:
             self._stored += 1
@@ -212,11 +221,17 @@ class Robot:
     # -- a person --------------------------------------------------------------------------
 
     def hear(
-        self, meaning: Meaning, text: str = "", speaker: str = "", candidates: tuple[str, ...] = ()
+        self,
+        meaning: Meaning,
+        text: str = "",
+        speaker: str = "",
+        candidates: tuple[str, ...] = (),
+        at_s: float = 0.0,
     ) -> None:
-        """It will reach the mind in the next tick."""
+        """It will reach the mind in the next tick. at_s: wall time."""
         words = text or type(meaning).__name__
-        self._heard.append(Heard(Utterance(words, speaker, candidates=candidates), meaning))
+        said = Utterance(words, speaker, at_s, candidates=candidates)
+        self._heard.append(Heard(said, meaning))
 
     def command(self, text: str, speaker: str = "", words: str = "") -> None:
         self.hear(Command(chain(text)), words or text, speaker)

@@ -35,10 +35,11 @@ STATES: Final = (
     "mary is near", "janey is happy", "a cup is empty", "nothing is close", "a block is red",
 )  # fmt: skip
 FORBIDDEN: Final = "never turn right"  # taught by the owner at the start: nobody else may lift it
+VETO: Final = 10**9  # its number, out of the way of those that a store gives
 OWNER: Final = "olga"
-MOST_KEPT: Final = 4096  # sentences whose meanings are remembered
+MOST_KEPT: Final = 512  # sentences whose meanings are remembered
 
-Do = Literal["say", "stop", "feel", "wait", "store", "link", "reach", "battery", "restart"]
+Do = Literal["say", "stop", "feel", "wait", "store", "link", "reach", "battery", "restart", "clear"]
 
 
 @dataclass(frozen=True, slots=True)
@@ -48,9 +49,10 @@ class Line:
     Attributes:
         do: "say" the text; "stop" on the wire; "feel": the range changes; "wait"; "store": how long it takes, or that
             it fails; "link": it breaks or comes back; "reach": whether there is something to grip; "battery";
-            "restart": the mind begins anew from what was stored.
+            "restart": the mind begins anew from what was stored; "clear": the owner has old lessons forgotten.
         text, speaker, candidates: what is said, by whom, and between whom that is unsure.
-        value: range in m (0: nothing), time in s, volts, or 0 for down and 1 for up; below 0 the store fails.
+        value: range in m (0: nothing), time in s, volts, or 0 for down and 1 for up; below 0 the store fails;
+            how many of the newest lessons stay.
         after_s: how much time passes before the next line.
     """
 
@@ -73,6 +75,8 @@ def a_line(chance: random.Random, restarts: bool = True) -> Line:
         return Line("wait", value=chance.choice((0.1, 0.1, 1.0, 5.0, 35.0)))
     if sort < 0.31:
         return _trouble(chance, restarts)
+    if sort < 0.32:
+        return Line("clear", value=chance.choice((40, 80, 120)))
     text, after_s = _sentence(chance), chance.choice((0.0, 0.1, 0.5, 2.0, 2.0, 4.0))
     if chance.random() < 0.05:
         return Line("say", text, candidates=tuple(chance.sample(NAMES, 2)), after_s=after_s)
@@ -170,15 +174,8 @@ LESSONS: Final[tuple[Form, ...]] = (
     lambda w: f"when {w.state} say {w.quality}",
     lambda w: f"before you {w.act} {w.skill}",
     lambda w: f"after you {w.verb} {w.skill}",
-    lambda w: f"never {w.act}",
-    lambda w: f"never {w.act} but instead {w.skill}",
-    lambda w: f"never {w.verb} if {w.state}",
-    lambda w: f"never grab a {w.kind} unless it is {w.quality}",
     lambda w: f"you may {w.act}",
     lambda w: f"you can {w.act} if {w.state}",
-    lambda w: f"if {w.name} tells you to do something don't but instead {w.act}",
-    lambda w: f"only {w.name} may tell you to {w.act}",
-    lambda w: f"don't let {w.name} teach you",
     lambda w: f"if you fail to {w.verb} {w.act}",
     lambda w: "if you fail to grab something say oops",
     lambda w: f"if something is a {w.kind} it is a {w.other_kind}",
@@ -191,6 +188,15 @@ LESSONS: Final[tuple[Form, ...]] = (
     lambda w: "if you want to know what color something is look at it",
     lambda w: "to find out what something is find out what color it is",
     lambda w: f"to make sure the gripper is closed {w.one(('close the gripper', w.act))}",
+)
+VETOES: Final[tuple[Form, ...]] = (
+    lambda w: f"never {w.act}",
+    lambda w: f"never {w.act} but instead {w.skill}",
+    lambda w: f"never {w.verb} if {w.state}",
+    lambda w: f"never grab a {w.kind} unless it is {w.quality}",
+    lambda w: f"if {w.name} tells you to do something don't but instead {w.act}",
+    lambda w: f"only {w.name} may tell you to {w.act}",
+    lambda w: f"don't let {w.name} teach you",
 )
 FACTS: Final[tuple[Form, ...]] = (
     lambda w: f"{w.name} is a {w.kind}",
@@ -248,7 +254,8 @@ MANNERS: Final[tuple[Form, ...]] = (
 )
 SORTS: Final = (
     (0.32, COMMANDS),
-    (0.24, LESSONS),
+    (0.21, LESSONS),
+    (0.04, VETOES),
     (0.11, FACTS),
     (0.17, MANAGEMENT),
     (0.13, QUESTIONS),
@@ -286,4 +293,4 @@ def at_birth() -> list[Lesson]:
     """What the robot of a session starts with: born knowledge, and what its owner forbids."""
     meaning = understood(FORBIDDEN)
     assert isinstance(meaning, Teach)
-    return [*born(), Lesson(1, meaning.kind, meaning.content, FORBIDDEN, OWNER)]
+    return [*born(), Lesson(VETO, meaning.kind, meaning.content, FORBIDDEN, OWNER)]

@@ -3,20 +3,25 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import replace
 from typing import Any, Final
 
+from grammars.replies import say
 from kernel.action.call import GROUNDINGS, Rotate, Travel
 from kernel.memory import experience
-from kernel.memory.change import SESSION
 from kernel.memory.lesson import Lesson
+from kernel.memory.meaning import Control, Meaning
+from kernel.memory.notation import write
 from kernel.memory.policy import RETIRED_KEPT
 from kernel.memory.settings import Settings
 from kernel.memory.working import TOLD_LIMIT
 from kernel.mind import Mind
+from kernel.net.graphlet import Graphlet
 from kernel.steering import KEPT
-from tests.kernel.session import OWNER, Line, answered, at_birth, understood
+from tests.kernel.session import OWNER, VETO, Line, answered, at_birth, understood
 
 TICK_S: Final = 0.1
+BEGAN_S: Final = 1_800_000_000.0  # wall time at which use begins, s since 1970
 MOST_FOCI: Final = 40  # 32 active ones; faded ones leave first, and noticing makes room for itself
 MOST_NODES: Final = 20_000
 MOST_TICKS_OF_THOUGHT: Final = 50  # a focus that has its turn again and again without waiting for anything
@@ -60,8 +65,10 @@ class Watched:
                 robot.body.within_reach = bool(line.value)
             case "battery":
                 robot.feel(battery_v=line.value)
+            case "clear":
+                self._clear(round(line.value))
             case "restart":
-                self._restart()
+                self.restart()
             case "say":
                 self._say(line)
         self.wait(line.after_s)
@@ -70,7 +77,16 @@ class Watched:
         expecting = self.mind.expecting
         meaning = understood(line.text) if expecting is None else answered(line.text, expecting)
         if meaning is not None:
-            self.robot.hear(meaning, line.text, line.speaker, line.candidates)
+            self._hear(meaning, line.text, line.speaker, line.candidates)
+
+    def _hear(self, meaning: Meaning, text: str, *who: Any) -> None:
+        self.robot.hear(meaning, text, *who, at_s=BEGAN_S + self.robot.now_s)
+
+    def _clear(self, kept: int) -> None:
+        """The owner has all but the newest lessons forgotten, as `sayso forget` does."""
+        old = tuple(sorted(x for x in policy(self.mind))[:-kept])
+        if old:
+            self._hear(Control("forget", lessons=old), "forget them", OWNER)
 
     def _stop(self) -> None:
         """One tick after a stop nothing moves, speaks or goes on but what has come since."""
@@ -88,14 +104,16 @@ class Watched:
             assert open_question is None or open_question.focus not in old
         assert not self.robot.body.state.moving
 
-    def _restart(self) -> None:
+    def restart(self) -> None:
         """A mind from the journal knows what the old one did."""
         before = policy(self.mind)
         while self.robot._storing or self.robot.out.persist:
             self.tick()
             before = policy(self.mind)
         self.robot.restart()
-        assert policy(self.mind) == before, "another policy after the restart"
+        after = policy(self.mind)
+        differing = {n for n in (before | after) if before.get(n) != after.get(n)}
+        assert not differing, [(before.get(n), after.get(n)) for n in differing]
         self._thinking.clear()
 
     def wait(self, seconds: float) -> None:
@@ -111,6 +129,8 @@ class Watched:
         self._body_obeys()
         self._foci_wait()
         self._memory_is_bounded()
+        for reply in self.robot.out.replies:
+            assert say(reply).shown, f"nothing is said of {reply}"
         # The bench keeps everything; the mind must not.
         robot = self.robot
         for kept in (robot.trace, robot.replies, robot.said, robot.moves):
@@ -166,9 +186,13 @@ class Watched:
         assert active or not (commons.doing or commons.asking or commons.asked)
 
 
-def policy(mind: Mind) -> dict[int, tuple[Lesson, float]]:
-    """Lessons in force that last, each in its strength."""
+def policy(mind: Mind) -> dict[int, tuple[Lesson, str, float]]:
+    """Lessons in force that last, each as it is written, in its strength."""
     strength = mind._commons.policy.strength
-    return {x.ident: (x, strength(x)) for x in mind.policy if 1 < x.ident < SESSION}
+    return {
+        x.ident: (replace(x, content=Graphlet((), "x-1")), write(x.content), strength(x))
+        for x in mind.policy
+        if 0 < x.ident != VETO
+    }
 
 
