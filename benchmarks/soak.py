@@ -2,9 +2,9 @@
 """The soak: a day of random use in virtual time; does memory stay flat, and the time of a tick?
 
 The mind and the kinematic body (no physics), ticks of 0.1 s, about one line of tests/kernel/session.py every 20 s and
-now and then half an hour of nothing; every promise of tests/kernel/watched.py is checked after every tick. Lessons go to
-a real store (an SQLite file of its own) and are forgotten again, as random use would teach for ever; at the end a new
-mind is made from the store and must know the same.
+now and then half an hour of nothing; every promise of tests/kernel/watched.py is checked after every tick. Lessons go
+to a real store (an SQLite file of its own) and are forgotten again, as random use would teach for ever; at the end a
+new mind is made from the store and must know the same.
 
 Memory is flat if, from the end of the second hour on, what is resident grows by less than MOST_GROWTH_MB: what is kept
 up to a bound (1,000 deeds, 1,000 lessons that were taken back, 2,000 tellers, the caches of the parser) fills up after
@@ -131,7 +131,9 @@ def verdict(used: list[float], medians: list[float], every_s: float, lines: int,
     even = last < TIMES * second
     print(f"memory {'flat' if flat else 'NOT FLAT'}: {growth_mb:+.1f} MB since {(since + 1) * every_s / HOUR_S:.1f} h"
           f" (< {MOST_GROWTH_MB:.0f})")  # fmt: skip
-    print(f"time a tick {'flat' if even else 'NOT FLAT'}: {last:.3f} ms in the last quarter, {second:.3f} in the second")
+    print(
+        f"time a tick {'flat' if even else 'NOT FLAT'}: {last:.3f} ms in the last quarter, {second:.3f} in the second"
+    )
     return 0 if flat and even else 1
 
 

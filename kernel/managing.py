@@ -167,9 +167,11 @@ def _by_number(commons: Commons, focus: Focus, numbers: tuple[int, ...]) -> Run:
 
 def _ways(commons: Commons, act: Graphlet) -> list[Lesson]:
     """Operators on doing that, or something more specific."""
+    main = next((term.lex for term in act if term.name == act.main), frozenset[str]())
+    some = commons.shelves.triggered(main) if main else commons.lessons.values()
     return [
         lesson
-        for lesson in commons.lessons.values()
+        for lesson in some
         if isinstance(lesson.content, Operator)
         and lesson.content.trigger.tag == "DO"
         and (trigger := lesson.content.trigger.graphlet) is not None
@@ -195,10 +197,11 @@ def _last(commons: Commons) -> list[Lesson]:
 def with_chunks(commons: Commons, lessons: Iterable[Lesson]) -> list[Lesson]:
     """With what the robot made of them by itself, and of that in turn."""
     gone = {lesson.ident: lesson for lesson in lessons}
+    made = [lesson for lesson in commons.lessons.values() if lesson.origins]
     while True:
         more = {
             lesson.ident: lesson
-            for lesson in commons.lessons.values()
+            for lesson in made
             if lesson.ident not in gone and gone.keys() & set(lesson.origins)
         }
         if not more:

@@ -73,6 +73,7 @@ class Mind:
             self._commons.bear(lesson)
         for change in history:
             self._commons.change(change)
+        memory.refresh()
 
     @property
     def policy(self) -> tuple[Lesson, ...]:

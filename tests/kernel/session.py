@@ -49,7 +49,8 @@ class Line:
     Attributes:
         do: "say" the text; "stop" on the wire; "feel": the range changes; "wait"; "store": how long it takes, or that
             it fails; "link": it breaks or comes back; "reach": whether there is something to grip; "battery";
-            "restart": the mind begins anew from what was stored; "clear": the owner has old lessons forgotten.
+            "restart": the mind begins anew from what was stored; "clear": the owner has old lessons and
+            everything that is forbidden forgotten.
         text, speaker, candidates: what is said, by whom, and between whom that is unsure.
         value: range in m (0: nothing), time in s, volts, or 0 for down and 1 for up; below 0 the store fails;
             how many of the newest lessons stay.
@@ -75,8 +76,8 @@ def a_line(chance: random.Random, restarts: bool = True) -> Line:
         return Line("wait", value=chance.choice((0.1, 0.1, 1.0, 5.0, 35.0)))
     if sort < 0.31:
         return _trouble(chance, restarts)
-    if sort < 0.32:
-        return Line("clear", value=chance.choice((40, 80, 120)))
+    if sort < 0.33:
+        return Line("clear", value=chance.choice((50, 100, 200)))
     text, after_s = _sentence(chance), chance.choice((0.0, 0.1, 0.5, 2.0, 2.0, 4.0))
     if chance.random() < 0.05:
         return Line("say", text, candidates=tuple(chance.sample(NAMES, 2)), after_s=after_s)
@@ -148,7 +149,9 @@ COMMANDS: Final[tuple[Form, ...]] = (
     lambda w: f"wait until {w.state}",
     lambda w: f"repeat {w.act} then {w.skill} three times",
     lambda w: f"repeat {w.act} 100 times",
-    lambda w: f"keep {w.one(('turning left', 'driving forward', 'the gripper closed', 'backing up'))}",
+    lambda w: (
+        f"keep {w.one(('turning left', 'driving forward', 'the gripper closed', 'backing up'))}"
+    ),
     lambda w: f"keep turning left until {w.state}",
     lambda w: "keep the gripper closed while driving forward",
     lambda w: f"grab each {w.kind}",
@@ -194,6 +197,8 @@ VETOES: Final[tuple[Form, ...]] = (
     lambda w: f"never {w.act} but instead {w.skill}",
     lambda w: f"never {w.verb} if {w.state}",
     lambda w: f"never grab a {w.kind} unless it is {w.quality}",
+)
+DISTRUST: Final[tuple[Form, ...]] = (
     lambda w: f"if {w.name} tells you to do something don't but instead {w.act}",
     lambda w: f"only {w.name} may tell you to {w.act}",
     lambda w: f"don't let {w.name} teach you",
@@ -227,7 +232,9 @@ MANAGEMENT: Final[tuple[Form, ...]] = (
     lambda w: w.one(("the red one", "red", "the block", "the one on the left")),
 )
 QUESTIONS: Final[tuple[Form, ...]] = (
-    lambda w: w.one(("why did you do that", "why not", "what are you doing", "what did you just do")),
+    lambda w: w.one(
+        ("why did you do that", "why not", "what are you doing", "what did you just do")
+    ),
     lambda w: w.one(("why did you turn left", f"why didn't you {w.act}", f"did you {w.act}")),
     lambda w: w.one((f"when did you {w.verb}", "how many times did you turn")),
     lambda w: f"why is {w.name} a {w.kind}",
@@ -243,9 +250,13 @@ QUESTIONS: Final[tuple[Form, ...]] = (
     lambda w: w.one((f"what happens when {w.state}", f"what happens before you {w.act}")),
     lambda w: f"is {w.name} a {w.kind}",
     lambda w: f"is the {w.kind} {w.quality}",
-    lambda w: w.one((f"who is {w.name}", f"where is the {w.kind}", f"which {w.kind} is {w.quality}")),
+    lambda w: w.one(
+        (f"who is {w.name}", f"where is the {w.kind}", f"which {w.kind} is {w.quality}")
+    ),
     lambda w: f"how many {w.kind}s are there",
-    lambda w: w.one(("who am i", "what can you do", "are you turning", f"are you holding a {w.kind}")),
+    lambda w: w.one(
+        ("who am i", "what can you do", "are you turning", f"are you holding a {w.kind}")
+    ),
 )
 MANNERS: Final[tuple[Form, ...]] = (
     lambda w: w.one(("i am rick", "my name is mary", "this is mary speaking")),
@@ -255,7 +266,8 @@ MANNERS: Final[tuple[Form, ...]] = (
 SORTS: Final = (
     (0.32, COMMANDS),
     (0.21, LESSONS),
-    (0.04, VETOES),
+    (0.03, VETOES),
+    (0.01, DISTRUST),
     (0.11, FACTS),
     (0.17, MANAGEMENT),
     (0.13, QUESTIONS),

@@ -9,7 +9,7 @@ from typing import Any, Final
 from grammars.replies import say
 from kernel.action.call import GROUNDINGS, Rotate, Travel
 from kernel.memory import experience
-from kernel.memory.lesson import Lesson
+from kernel.memory.lesson import Lesson, Operator
 from kernel.memory.meaning import Control, Meaning
 from kernel.memory.notation import write
 from kernel.memory.policy import RETIRED_KEPT
@@ -24,7 +24,9 @@ TICK_S: Final = 0.1
 BEGAN_S: Final = 1_800_000_000.0  # wall time at which use begins, s since 1970
 MOST_FOCI: Final = 40  # 32 active ones; faded ones leave first, and noticing makes room for itself
 MOST_NODES: Final = 20_000
-MOST_TICKS_OF_THOUGHT: Final = 50  # a focus that has its turn again and again without waiting for anything
+MOST_TICKS_OF_THOUGHT: Final = (
+    50  # a focus that has its turn again and again without waiting for anything
+)
 
 
 class Watched:
@@ -83,10 +85,16 @@ class Watched:
         self.robot.hear(meaning, text, *who, at_s=BEGAN_S + self.robot.now_s)
 
     def _clear(self, kept: int) -> None:
-        """The owner has all but the newest lessons forgotten, as `sayso forget` does."""
-        old = tuple(sorted(x for x in policy(self.mind))[:-kept])
+        """The owner has all but the newest lessons forgotten, and what is forbidden, as `sayso forget` does."""
+        lessons = sorted((x for x in self.mind.policy if x.ident != VETO), key=lambda x: x.ident)
+        old = {lesson.ident: None for lesson in lessons[:-kept]}
+        old |= {
+            x.ident: None
+            for x in lessons
+            if isinstance(x.content, Operator) and x.content.prohibits
+        }
         if old:
-            self._hear(Control("forget", lessons=old), "forget them", OWNER)
+            self._hear(Control("forget", lessons=tuple(old)), "forget them", OWNER)
 
     def _stop(self) -> None:
         """One tick after a stop nothing moves, speaks or goes on but what has come since."""
@@ -137,14 +145,18 @@ class Watched:
             if len(kept) > 5000:
                 del kept[:-1000]
         if len(robot._tickets) > 5000:
-            robot._tickets = {ticket for ticket in robot._tickets if ticket > max(robot._tickets) - 1000}
+            robot._tickets = {
+                ticket for ticket in robot._tickets if ticket > max(robot._tickets) - 1000
+            }
 
     def _body_obeys(self) -> None:
         out, state = self.robot.out, self.robot.body.state
         wheels = [bid for bid in out.bids if bid.resource == "wheels"]
         assert out.busy or not out.bids, "somebody bids, and no focus is active"
         assert wheels or not state.moving, "wheels turn that nobody bids for"
-        looking = any("look around" in focus.waits for focus in self.mind.active())  # sweeps to both sides
+        looking = any(
+            "look around" in focus.waits for focus in self.mind.active()
+        )  # sweeps to both sides
         for bid in wheels:
             turning_right = isinstance(bid.command, Rotate) and bid.command.rate_rad_s < 0
             assert looking or not turning_right, "a forbidden act reached the body"
@@ -194,5 +206,3 @@ def policy(mind: Mind) -> dict[int, tuple[Lesson, str, float]]:
         for x in mind.policy
         if 0 < x.ident != VETO
     }
-
-
