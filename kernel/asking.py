@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass, replace
+from operator import attrgetter
 from typing import Final
 
 from kernel.action.chain import Chain, Directive, sequence
@@ -17,7 +18,7 @@ from kernel.memory.explanation import Asked, Lessons
 from kernel.memory.inference import is_alias
 from kernel.memory.lesson import Lesson, Operator, Rule
 from kernel.memory.meaning import Question
-from kernel.memory.meant import affirmed, description, grounded, is_like, verb
+from kernel.memory.meant import affirmed, description, grounded, is_like, synonyms, verb
 from kernel.memory.reply import Reply
 from kernel.net.graphlet import Graphlet, Term
 from kernel.net.match import Binding
@@ -102,7 +103,12 @@ class Asking:
     def lessons(self) -> list[Lesson]:
         """Lessons in force that were taught, oldest first: the one place that looks them up."""
         taught = [x for x in self.commons.lessons.values() if 0 < x.ident < SESSION]
-        return sorted(taught, key=lambda lesson: lesson.ident)
+        return sorted(taught, key=_number)
+
+    @staticmethod
+    def was_taught(lesson: Lesson) -> bool:
+        """It is neither born knowledge nor a fact of the session."""
+        return 0 < lesson.ident < SESSION
 
     @contextmanager
     def supposed(self, graphlet: Graphlet) -> Iterator[Binding]:
@@ -140,7 +146,7 @@ class Asking:
         """Taught operators on such acts, newest first, whatever else they ask for."""
         found = []
         called = verb(act)
-        for lesson in self.lessons:
+        for lesson in filter(self.was_taught, self.commons.shelves.triggered(synonyms(called))):
             operator = lesson.content
             if not isinstance(operator, Operator) or operator.trigger.tag not in tags:
                 continue
@@ -149,7 +155,7 @@ class Asking:
                 continue
             if is_like(act, trigger) or is_like(trigger, act):
                 found.append(lesson)
-        return found[::-1]
+        return found
 
     def aliases_of(self, words: frozenset[str]) -> tuple[Lesson, ...]:
         """What says that one of the words means another, newest first."""
@@ -199,6 +205,9 @@ class Asking:
         own = Graphlet(tuple(t for t in act if t.name not in looked_up), act.main)
         looked = [Directive("FIND", find) for find in finds if find.terms]
         return sequence(*looked, Directive("DO", own))
+
+
+_number = attrgetter("ident")
 
 
 def _is_person(act: Graphlet, name: str) -> bool:

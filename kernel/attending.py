@@ -65,9 +65,10 @@ def attend(mind: Listener, commons: Commons, focus: Focus) -> Run:
     for name in heard.utterance.candidates:
         memory.net.link(focus.speech_act, "agt", memory.person(name.lower()))
     answered = managing.answered(commons, heard.meaning)
-    closed = commons.asked is not None and not answered
+    open_before = commons.asked is not None and commons.asked.focus < focus.number
+    closed = open_before and not answered
     if closed:
-        commons.asked = None  # whatever else is said closes the question
+        commons.asked = None  # whatever else is said after it closes the question
     if isinstance(heard.meaning, Command):
         _quote(commons, focus, heard.meaning)
     said = _spoken(commons, focus, heard.utterance.text)

@@ -105,7 +105,6 @@ def _asked(
     commons.asking = asking
     commons.replies.append(question)
     commons.record("asked", frame.focus, text=missing(Directive("FIND", graphlet)))
-    frame.focus.waiting = True
     try:
         while asking.chosen is None:
             if commons.asking is not asking or commons.tick.now_s >= asking.until_s:
@@ -114,7 +113,6 @@ def _asked(
             frame.focus.waits.add("answer")
             yield
     finally:
-        frame.focus.waiting = False
         if commons.asking is asking:
             commons.asking = None
     return asking.chosen

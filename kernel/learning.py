@@ -44,7 +44,8 @@ def learn(commons: Commons, focus: Focus) -> Learning:
             return True
         change = replace(change, retracted=(old.ident,))
     elif (doubt := _doubt(commons, lesson)) is not None:
-        answer = yield from _answer(commons, focus, Asked(lesson, *doubt, _until_s(commons)))
+        asked = Asked(lesson, *doubt, _until_s(commons), focus.number)
+        answer = yield from _answer(commons, focus, asked)
         if answer == "cancel":
             commons.replies.append(LessonDropped(lesson))
             return True
@@ -129,13 +130,11 @@ def _answer(commons: Commons, focus: Focus, asked: Asked) -> Generator[None, Non
     """Ask, and wait for the answer: until another utterance, a stop, or time closes the question."""
     commons.asked = asked
     commons.replies.append(AskKeep(asked.lesson, asked.why, asked.other))
-    focus.waiting = True
     try:
         while commons.asked is asked and not asked.answer and commons.tick.now_s < asked.until_s:
             focus.waits.add("answer")
             yield
     finally:
-        focus.waiting = False
         if commons.asked is asked:
             commons.asked = None
     return asked.answer

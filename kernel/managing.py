@@ -171,8 +171,10 @@ def _by_number(commons: Commons, focus: Focus, numbers: tuple[int, ...]) -> Run:
 
 def _ways(commons: Commons, act: Graphlet) -> list[Lesson]:
     """Taught operators on doing that, or something more specific; without any, those it would be done by."""
+    main = next((term.lex for term in act if term.name == act.main), frozenset[str]())
+    some = commons.shelves.triggered(main) if main else commons.lessons.values()
     narrow, wide = [], []
-    for lesson in commons.lessons.values():
+    for lesson in some:
         operator = lesson.content
         if lesson.ident <= INNATE or not isinstance(operator, Operator):
             continue
@@ -212,10 +214,11 @@ def _last(commons: Commons) -> list[Lesson]:
 def with_chunks(commons: Commons, lessons: Iterable[Lesson]) -> list[Lesson]:
     """With what the robot made of them by itself, and of that in turn."""
     gone = {lesson.ident: lesson for lesson in lessons}
+    made = [lesson for lesson in commons.lessons.values() if lesson.origins]
     while True:
         more = {
             lesson.ident: lesson
-            for lesson in commons.lessons.values()
+            for lesson in made
             if lesson.ident not in gone and gone.keys() & set(lesson.origins)
         }
         if not more:

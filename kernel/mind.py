@@ -73,6 +73,7 @@ class Mind:
             self._commons.bear(lesson)
         for change in history:
             self._commons.change(change)
+        memory.refresh()
 
     @property
     def policy(self) -> tuple[Lesson, ...]:
@@ -158,7 +159,7 @@ class Mind:
             shift=commons.shift,
             trace=tuple(commons.trace),
             stop_epoch=self.epoch,
-            busy=any(not focus.waiting for focus in self._attention.active()),
+            busy=any(focus.waits != {"answer"} for focus in self._attention.active()),
         )
         for produced in (commons.speech, commons.replies, commons.persist, commons.trace):
             produced.clear()
@@ -225,6 +226,7 @@ class Mind:
             self._commons.memory.forget(gone.nodes)
         focus = self._attention.post(heard)
         focus.run = how(self, self._commons, focus, *args)
+        focus.waits.add("next tick")
         self._commons.record("focus", focus, text=focus.words or "noticed")
         return focus
 

@@ -12,7 +12,7 @@ from kernel.memory.attention import Focus
 from kernel.memory.lesson import Lesson, Operator
 from kernel.memory.recall import known, may_be_somebody
 from kernel.memory.wondering import SEEKING_VERBS
-from kernel.net.graphlet import Graphlet
+from kernel.net.graphlet import Graphlet, Term
 from kernel.net.match import Binding, holds, matches
 from kernel.net.node import Node
 from kernel.using import use
@@ -123,7 +123,9 @@ class Selection:
             ):
                 continue
             terms = (*trigger.terms, *(t for g in operator.enablement for t in g.terms))
-            return Chosen(lesson, operator, enabled, max(1, len(terms)))
+            # One that says nothing is not written, and must not count before a restart either.
+            telling = sum(term != Term(term.name) for term in terms)
+            return Chosen(lesson, operator, enabled, max(1, telling))
         return None
 
     def _enabled(

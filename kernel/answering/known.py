@@ -2,16 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
-
 from kernel.asking import Asking, answers
 from kernel.memory.explanation import Knowledge, Lessons
 from kernel.memory.inference import says_something
-from kernel.memory.lesson import Lesson, Operator, Rule
+from kernel.memory.lesson import Lesson
 from kernel.memory.meant import description
 from kernel.memory.recall import THINGS
 from kernel.net.describing import describe
-from kernel.net.graphlet import Graphlet, Term
+from kernel.net.graphlet import Graphlet
 from kernel.net.match import matches
 from kernel.net.node import REMEMBERED, Node
 
@@ -52,28 +50,14 @@ def _meant(asking: Asking, things: list[Node]) -> list[Node]:
 def _lessons(asking: Asking, words: frozenset[str]) -> tuple[Lesson, ...]:
     """Rules and operators that speak of it by its name or kind, newest first; facts were told already."""
     nouns = _nouns(asking.question.about) or words
-    return tuple(
-        lesson
-        for lesson in reversed(asking.lessons)
-        if not isinstance(lesson.content, Graphlet)
-        and all(any(noun in term.lex for term in _terms(lesson.content)) for noun in nouns)
-    )
+    there = asking.commons.shelves.mentioning(nouns)
+    return tuple(lesson for lesson in there if asking.was_taught(lesson))
 
 
 def _nouns(about: Graphlet) -> frozenset[str]:
     """Its name, or its kind with the qualities that the question names."""
     kinds = ("obj", "ako", "hq")
     return frozenset(word for term in about if term.kind in kinds for word in term.lex)
-
-
-def _terms(content: Rule | Operator) -> Iterator[Term]:
-    """Every term of a rule or an operator."""
-    if isinstance(content, Rule):
-        parts: Iterable[Graphlet] = (content.condition, content.conclusion, *content.unless)
-    else:
-        steps = (d.graphlet for d in content.chain.directives() if d.graphlet is not None)
-        parts = (*content.patterns, *content.unless, *steps)
-    return (term for part in parts for term in part.terms)
 
 
 def _by_person(asking: Asking) -> Lessons:

@@ -81,7 +81,7 @@ class Focus:
         progress: how far its command has come, None for what is no command.
         by: who spoke, "" if not identified; change: what it is to change.
         saying: the fact that it is to learn; told: the nodes that carry it.
-        waiting: for an answer, which may never come; dismissed: it is to be ended, by another utterance.
+        dismissed: it is to be ended, by another utterance.
         preempted: when which lesson's reaction took a resource from it, s.
         waits: what its chains wait for: the grounding functions, the store, a condition, an answer; set by whatever
             yields, so that nothing waits for nothing.
@@ -105,7 +105,6 @@ class Focus:
     change: Change | None = None
     saying: Saying | None = None
     told: tuple[Node, ...] = ()
-    waiting: bool = False
     dismissed: bool = False
     preempted: list[tuple[float, int]] = field(default_factory=list)
     waits: set[str] = field(default_factory=set)

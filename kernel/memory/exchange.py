@@ -44,7 +44,7 @@ class Outputs:
     shift: what came into force in this tick and what went.
     trace: what was decided in this tick.
     stop_epoch: the epoch in which bids were computed.
-    busy: some focus is active.
+    busy: some focus is active, and waits for more than a person's answer, which may never come.
     """
 
     bids: tuple[Bid, ...] = ()

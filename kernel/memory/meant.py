@@ -51,6 +51,11 @@ def verb(act: Graphlet) -> frozenset[str]:
     return frozenset(_ONE_FOR_ALL.get(word, word) for word in lex)
 
 
+def synonyms(verbs: frozenset[str]) -> frozenset[str]:
+    """Every word that these stand for."""
+    return verbs | {word for word, one in _ONE_FOR_ALL.items() if one in verbs}
+
+
 def _plain(act: Graphlet) -> Graphlet:
     """Without agent, polarity, belief and reference; every word by the one that stands for its like."""
     agents = {other for t in act if t.name == act.main for role, other in t.links if role == "agt"}

@@ -10,14 +10,15 @@ restart.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, replace
-from typing import Final
+from typing import Final, TypeVar
 
 from kernel.memory.change import SESSION, Change
 from kernel.memory.lesson import Lesson
 
 RETIRED_KEPT: Final = 1000
+V = TypeVar("V")
 
 
 @dataclass(frozen=True, slots=True)
@@ -88,15 +89,32 @@ class Policy:
 
     def preview(self, change: Change) -> Shift:
         """What a change would do; nothing is changed."""
-        other = Policy()
-        other.lessons, other._known = dict(self.lessons), dict(self._known)
-        other._changes, other._gone = dict(self._changes), set(self._gone)
-        other._learned_by, other._strengths = dict(self._learned_by), dict(self._strengths)
-        other._retired = dict(self._retired)
-        other._retracted_by = {n: list(by) for n, by in self._retracted_by.items()}
-        other._undone_by = {n: list(by) for n, by in self._undone_by.items()}
-        other._adapted_by = {n: list(by) for n, by in self._adapted_by.items()}
+        other, changes = Policy(), self._undone_with(change)
+        lessons = dict.fromkeys(n for c in (change, *changes.values()) for n in _lessons(c))
+        for number in [n for ident in lessons for n in self._adapted_by.get(ident, ())]:
+            changes[number] = self._changes[number]
+        other._changes, other._gone = changes, set(self._gone)
+        other.lessons, other._known = _some(self.lessons, lessons), _some(self._known, lessons)
+        other._learned_by = _some(self._learned_by, lessons)
+        other._strengths = _some(self._strengths, lessons)
+        for mine, others, names in (
+            (self._retracted_by, other._retracted_by, lessons),
+            (self._adapted_by, other._adapted_by, lessons),
+            (self._undone_by, other._undone_by, changes),
+        ):
+            others |= {name: list(by) for name, by in _some(mine, names).items()}
         return other.apply(replace(change, ident=2 * SESSION))
+
+    def _undone_with(self, change: Change) -> dict[int, Change]:
+        """The changes that it takes back, and those that these take back in turn."""
+        found: dict[int, Change] = {}
+        pending = list(change.undone)
+        while pending:
+            number = pending.pop()
+            if number in self._changes and number not in found:
+                found[number] = self._changes[number]
+                pending += found[number].undone
+        return found
 
     def lose(self, ident: int) -> None:
         """Drop a lesson from memory, with the changes that concern nothing else."""
@@ -204,6 +222,11 @@ class Policy:
                 )
                 break
         return self.strength(lesson) != before
+
+
+def _some(values: Mapping[int, V], names: Iterable[int]) -> dict[int, V]:
+    """Those of these names."""
+    return {name: values[name] for name in names if name in values}
 
 
 def _lessons(change: Change) -> Iterator[int]:

@@ -33,6 +33,7 @@ class Asked:
 
     Attributes:
         until_s: it is closed then.
+        focus: number of the focus that waits for the answer.
         answer: "" while it is open.
     """
 
@@ -40,6 +41,7 @@ class Asked:
     why: Why
     other: Lesson | None
     until_s: float
+    focus: int
     answer: Literal["", "keep", "replace", "cancel"] = ""
 
 

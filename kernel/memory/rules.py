@@ -4,11 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, replace
+from typing import Final
 
 from kernel.memory.index import WordIndex
 from kernel.memory.lesson import Lesson, Rule
 from kernel.net.graphlet import Graphlet
 from kernel.net.node import Net
+
+UNWANTED_KEPT: Final = 1000  # ours: of the robot's own rules that it was told to forget
 
 
 @dataclass(slots=True, eq=False)
@@ -37,7 +40,7 @@ class RuleBook:
         self._loose: dict[RuleInForce, None] = {}
         self._by_lesson: dict[int, RuleInForce] = {}
         self._contents: dict[Rule, int] = {}
-        self._unwanted: set[Rule] = set()
+        self._unwanted: dict[Rule, None] = {}
         self.added: dict[RuleInForce, None] = {}
         self.removed: dict[RuleInForce, None] = {}
         self.weighed: dict[RuleInForce, None] = {}
@@ -61,7 +64,7 @@ class RuleBook:
             raise TypeError(rule)
         if lesson.ident in self._by_lesson:
             self.remove(lesson)
-        self._unwanted.discard(_bare(rule))
+        self._unwanted.pop(_bare(rule), None)
         new = RuleInForce(lesson, rule, rule.belief if belief is None else belief)
         self._by_lesson[lesson.ident] = new
         content = _bare(rule)
@@ -84,7 +87,9 @@ class RuleBook:
         if not self._contents[content]:
             del self._contents[content]
         if lesson.origins:
-            self._unwanted.add(content)  # what a person had it forget it does not make again
+            self._unwanted[content] = None  # what a person had it forget it does not make again
+            while len(self._unwanted) > UNWANTED_KEPT:
+                del self._unwanted[next(iter(self._unwanted))]
         self.weighed.pop(old, None)
         if old in self.added:
             del self.added[old]

@@ -1,8 +1,8 @@
-"""Lessons in force by what they might be equal to or contradict, so that few have to be compared (ours)."""
+"""Lessons in force by what they might be equal to, contradict or be about, so that few have to be compared (ours)."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 
 from kernel.memory.lesson import Content, Lesson, Operator, Rule
 from kernel.memory.likeness import alike, contradicts
@@ -16,20 +16,20 @@ class Shelves:
     back by their opposites at once)."""
 
     def __init__(self) -> None:
-        self._shelves: dict[Key, dict[int, Lesson]] = {}
+        self._cases: dict[str, dict[frozenset[str], dict[int, Lesson]]] = {}
 
     def add(self, lesson: Lesson) -> None:
         """Put it where its like would be."""
-        for key in _keys(lesson.content):
-            self._shelves.setdefault(key, {})[lesson.ident] = lesson
+        for sort, words in _keys(lesson.content):
+            self._cases.setdefault(sort, {}).setdefault(words, {})[lesson.ident] = lesson
 
     def remove(self, lesson: Lesson) -> None:
         """Take it away."""
-        for key in _keys(lesson.content):
-            shelf = self._shelves[key]
+        for sort, words in _keys(lesson.content):
+            shelf = self._cases[sort][words]
             del shelf[lesson.ident]
             if not shelf:
-                del self._shelves[key]
+                del self._cases[sort][words]
 
     def alike(self, content: Content) -> list[Lesson]:
         """Lessons equal to it but for strength, newest first."""
@@ -40,18 +40,40 @@ class Shelves:
         there = self._on(_keys(content)[1])
         return next((x for x in there if contradicts(x.content, content)), None)
 
+    def mentioning(self, words: frozenset[str]) -> list[Lesson]:
+        """Rules and operators with all of these words somewhere in them, newest first."""
+        return self._where(("rule", "operator"), words.issubset)
+
+    def triggered(self, words: frozenset[str]) -> list[Lesson]:
+        """Operators with any of these words in the trigger, newest first."""
+        return self._where(("trigger",), words.intersection)
+
+    def _where(
+        self, sorts: tuple[str, ...], fits: Callable[[frozenset[str]], object]
+    ) -> list[Lesson]:
+        found = [
+            lesson
+            for sort in sorts
+            for there, shelf in self._cases.get(sort, {}).items()
+            if fits(there)
+            for lesson in shelf.values()
+        ]
+        return sorted(found, key=lambda lesson: -lesson.ident)
+
     def _on(self, key: Key) -> Iterator[Lesson]:
-        return reversed(list(self._shelves.get(key, {}).values()))
+        sort, words = key
+        return reversed(list(self._cases.get(sort, {}).get(words, {}).values()))
 
 
 def _keys(content: Content) -> tuple[Key, ...]:
     match content:
-        case Rule(condition=condition, conclusion=conclusion):
-            words = condition.words() | conclusion.words()
+        case Rule(condition=condition, conclusion=conclusion, unless=unless):
+            words = condition.words().union(conclusion.words(), *(g.words() for g in unless))
             return ("rule", words), ("conclusion", conclusion.words())
         case Operator(trigger=trigger, chain=chain):
             asked = trigger.graphlet.words() if trigger.graphlet else frozenset()
-            steps = (d.graphlet.words() for d in chain.directives() if d.graphlet)
-            return ("operator", asked.union(*steps)), ("trigger", asked)
+            steps = [d.graphlet for d in chain.directives() if d.graphlet]
+            parts = (*content.enablement, *content.unless, *steps)
+            return ("operator", asked.union(*(g.words() for g in parts))), ("trigger", asked)
         case Graphlet():
             return (("fact", content.words()),)

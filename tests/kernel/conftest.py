@@ -51,6 +51,7 @@ class Frictionless:
     def act(self, bids: Sequence[Bid], dt_s: float) -> None:
         bidding = {bid.ticket for bid in bids}
         self.ended = {t: why for t, why in self.ended.items() if t in bidding}
+        self.run_s = {t: run for t, run in self.run_s.items() if t in bidding}
         for bid in bids:
             if bid.ticket in self.ended:
                 continue
@@ -101,13 +102,15 @@ class Robot:
     Attributes:
         moves: (time, command) of every motion when it first won its resource.
         said: texts spoken, replies: everything the mind wanted a person to know.
-        keep: False makes the store fail.
+        keep: False makes the store fail; store_takes_s makes it slow, s.
+        journal: what is stored.
     """
 
     def __init__(
         self, lessons: Iterable[Lesson] = (), seed: int = 0, settings: Settings | None = None
     ) -> None:
         lessons = tuple(lessons)
+        self._begun_with = lessons, seed, settings
         self.mind = Mind(lessons, seed, settings)
         self.body = Frictionless()
         self.now_s = 0.0
@@ -116,7 +119,10 @@ class Robot:
         self.replies: list[Reply] = []
         self.trace: list[Record] = []
         self.keep = True
+        self.store_takes_s = 0.0
+        self.journal: list[Change] = []
         self.out = Outputs()
+        self._storing: list[tuple[float, int, Change]] = []
         self._tickets: set[int] = set()
         self._heard: list[Heard] = []
         self._speaking: dict[int, float] = {}
@@ -131,13 +137,8 @@ class Robot:
         spoken = {ticket for ticket, until_s in self._speaking.items() if until_s <= self.now_s}
         for ticket in spoken:
             del self._speaking[ticket]
-        kept, failed = [], []
-        for key, change in self.out.persist:
-            if self.keep:
-                kept.append((key, self._store(change)))
-            else:
-                failed.append((key, "disk full"))
-        self.out = self.mind.tick(
+        kept, failed = self._stored_by_now()
+        self.out = self.think(
             Inputs(
                 now_s=self.now_s,
                 body=replace(self.body.state, at_s=self.now_s),
@@ -161,13 +162,49 @@ class Robot:
         self.body.act(self.out.bids, dt_s)
         return self.out
 
-    def _store(self, change: Change) -> Change:
+    def think(self, inputs: Inputs) -> Outputs:
+        """The mind's part of a tick."""
+        return self.mind.tick(inputs)
+
+    def restart(self) -> None:
+        """A new mind from what is stored; what was going on is gone, and the body rests."""
+        lessons, seed, settings = self._begun_with
+        self.mind = Mind(lessons, seed, settings, self.history())
+        self._storing.clear()
+        self._heard.clear()
+        self._speaking.clear()
+        self._tickets.clear()
+        self.body = type(self.body)(state=replace(self.body.state, moving=False))
+        self.out, self._epoch = Outputs(), 0
+
+    def history(self) -> Iterable[Change]:
+        """What is stored, oldest first."""
+        return self.journal
+
+    def _stored_by_now(self) -> tuple[list[tuple[int, Change]], list[tuple[int, str]]]:
+        """The store's answers of this tick: changes kept, in the order they came, and those that could not be."""
+        due_s = self.now_s + self.store_takes_s
+        self._storing += [(due_s, key, change) for key, change in self.out.persist]
+        kept: list[tuple[int, Change]] = []
+        failed: list[tuple[int, str]] = []
+        while self._storing and self._storing[0][0] <= self.now_s:
+            _, key, change = self._storing.pop(0)
+            if self.keep:
+                kept.append((key, self.store(change)))
+            else:
+                failed.append((key, "disk full"))
+        return kept, failed
+
+    def store(self, change: Change) -> Change:
+        """Keep a change; the same with the numbers it and its lessons have then."""
         learned = []
         for lesson in change.learned:
             self._stored += 1
             learned.append(replace(lesson, ident=self._stored))
         self._changes += 1
-        return replace(change, ident=self._changes, learned=tuple(learned))
+        stored = replace(change, ident=self._changes, learned=tuple(learned))
+        self.journal.append(stored)
+        return stored
 
     def pass_time(self, seconds: float) -> None:
         until_s = self.now_s + seconds
@@ -183,9 +220,18 @@ class Robot:
 
     # -- a person --------------------------------------------------------------------------
 
-    def hear(self, meaning: Meaning, text: str = "", speaker: str = "") -> None:
-        """It will reach the mind in the next tick."""
-        self._heard.append(Heard(Utterance(text or type(meaning).__name__, speaker), meaning))
+    def hear(
+        self,
+        meaning: Meaning,
+        text: str = "",
+        speaker: str = "",
+        candidates: tuple[str, ...] = (),
+        at_s: float = 0.0,
+    ) -> None:
+        """It will reach the mind in the next tick. at_s: wall time."""
+        words = text or type(meaning).__name__
+        said = Utterance(words, speaker, at_s, candidates=candidates)
+        self._heard.append(Heard(said, meaning))
 
     def command(self, text: str, speaker: str = "", words: str = "") -> None:
         self.hear(Command(chain(text)), words or text, speaker)
