@@ -40,7 +40,7 @@ SPEEDS = {"demonstration": (0.85, 1.0, 1.2), "heldout": (0.85, 1.0, 1.2)}
 """Duration, relative to the voice's own; 1 for a list that is not here."""
 PAUSES_S = {"lessons": (0.4, 0.8, 1.2)}
 """What the bars in a list stand for."""
-LISTS = ("demonstration", "heldout", "others", "lessons", "chatter")
+LISTS = ("demonstration", "heldout", "others", "lessons", "managing", "chatter")
 COLUMNS = ("whole", "of", "%", "lag s", "stop s", "wrong", "per s")
 TAIL_S = 0.5
 TAUGHT = Vocabulary(BORN.born, {"widdershins": {"DIR": "widdershins"}})
