@@ -31,7 +31,7 @@ class Automaton:
         found: dict[int, dict[str, frozenset[int]]] = {}
         for source, word, target in self.arcs:
             here = found.setdefault(source, {})
-            here[word] = here.get(word, frozenset()) | {target}
+            here[word] = here[word] | {target} if word in here else frozenset((target,))
         return found
 
     @property
