@@ -44,7 +44,7 @@ SPEEDS = {"demonstration": (0.85, 1.0, 1.2), "heldout": (0.85, 1.0, 1.2)}
 """Duration, relative to the voice's own; 1 for a list that is not here."""
 PAUSES_S = {"lessons": (0.4, 0.8, 1.2)}
 """What the bars in a list stand for."""
-LISTS = ("demonstration", "heldout", "others", "lessons", "managing", "chatter")
+LISTS = ("demonstration", "heldout", "others", "lessons", "managing", "chatter", "near")
 COLUMNS = ("whole", "of", "%", "lag s", "stop s", "wrong", "per s")
 TAIL_S = 0.5
 TAUGHT = Vocabulary(BORN.born, {"widdershins": {"DIR": "widdershins"}})
@@ -163,7 +163,7 @@ def measure(
         found.whole += right
         wrong = bool(stops) and text != "stop"
         match name:
-            case "chatter":
+            case "chatter" | "near":
                 wrong = wrong or bool(heard)
             case "lessons":
                 wrong = wrong or any(moves(event.text) for event in heard)
@@ -171,7 +171,7 @@ def measure(
                 found.stops += [event.at_s - (length_s - TAIL_S) for event in stops]
                 found.lags += [event.decided_s - event.ended_s for event in heard]
         found.wrong += wrong
-        if show and (wrong if name == "chatter" else wrong or not right):
+        if show and (wrong if name in ("chatter", "near") else wrong or not right):
             told = [
                 f"{type(event).__name__} {event.text}"
                 for event in events
