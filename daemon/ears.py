@@ -112,7 +112,9 @@ class Ears:
                 folders = (platformdirs.user_data_path("sayso") / MODELS,)
                 engine = choose_engine(self._hearing.engine, self._hearing.model, folders)
                 self._known = self._cycle.vocabulary
-                self._listening = Listening(engine, self._known, self._from_the_ear)
+                self._listening = Listening(
+                    engine, self._known, self._from_the_ear, lambda: self._cycle.mind.expecting
+                )
             await self._listening.ready()
             self.refresh()
         except EngineError as error:

@@ -20,6 +20,7 @@ from daemon.understanding import understand
 from grammars.finite_state import automaton
 from grammars.vocabulary import Vocabulary
 from kernel.memory.meaning import Utterance
+from kernel.memory.reply import AskWhich
 
 QUIET_S: Final = 0.1
 BEFORE_S: Final = (
@@ -38,11 +39,17 @@ class Listening:
         engine: which recogniser.
         vocabulary: the words it knows at first.
         perceive: called from the ear's thread with everything it reports.
+        expecting: called from there for the robot's open question: only then are its answers sentences.
     """
 
     def __init__(
-        self, engine: Engine, vocabulary: Vocabulary, perceive: Callable[[HearingEvent], None]
+        self,
+        engine: Engine,
+        vocabulary: Vocabulary,
+        perceive: Callable[[HearingEvent], None],
+        expecting: Callable[[], AskWhich | None],
     ) -> None:
+        self._expecting = expecting
         self._engine, self._vocabulary, self._perceive = engine, vocabulary, perceive
         self._started: Future[tuple[asyncio.AbstractEventLoop, asyncio.Task[None], Ear]] = Future()
         threading.Thread(target=self._main, name="ear", daemon=True).start()
@@ -131,4 +138,4 @@ class Listening:
             self._perceive(await ear.events.get())
 
     def _parses(self, text: str) -> bool:
-        return understand(Utterance(text), self._vocabulary).heard is not None
+        return understand(Utterance(text), self._vocabulary, self._expecting()).heard is not None

@@ -92,10 +92,11 @@ class Stage:
             RecordingError: the file cannot be heard.
             EngineError: the recogniser cannot be used.
         """
-        recorded = self._recogniser().hear(path, self._parts.cycle.vocabulary)
+        cycle = self._parts.cycle
+        recorded = self._recogniser().hear(path, cycle.vocabulary, cycle.mind.expecting)
         for known_s, event in recorded.events:
             self.at(self.now_s + known_s, partial(self._heard, event))
-        silent = partial(self._parts.cycle.unclear, "", "noise")
+        silent = partial(cycle.unclear, "", "noise")
         self.at(self.now_s + recorded.length_s, (lambda: None) if recorded.said else silent)
 
     def at(self, when_s: float, act: Callable[[], None]) -> None:

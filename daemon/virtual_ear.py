@@ -18,6 +18,7 @@ from daemon.understanding import understand
 from grammars.finite_state import automaton
 from grammars.vocabulary import Vocabulary
 from kernel.memory.meaning import Utterance
+from kernel.memory.reply import AskWhich
 
 MODELS: Final = "models"  # folder of installed models, in the user's data directory
 
@@ -55,8 +56,10 @@ class VirtualEar:
         """The engine's name."""
         return self._engine.name
 
-    def hear(self, path: Path, vocabulary: Vocabulary) -> Recorded:
-        """Hear a recording, knowing these words.
+    def hear(
+        self, path: Path, vocabulary: Vocabulary, expecting: AskWhich | None = None
+    ) -> Recorded:
+        """Hear a recording, knowing these words and the robot's open question.
 
         Raises:
             RecordingError: the file cannot be heard.
@@ -66,7 +69,7 @@ class VirtualEar:
         ear = self._knowing(vocabulary)
 
         def parses(text: str) -> bool:
-            return understand(Utterance(text), vocabulary).heard is not None
+            return understand(Utterance(text), vocabulary, expecting).heard is not None
 
         known = tuple((known_s(event), event) for event in ear.transcribe(samples, parses))
         return Recorded(known, len(samples) / RATE_HZ)

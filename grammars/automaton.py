@@ -31,7 +31,7 @@ class Automaton:
         found: dict[int, dict[str, frozenset[int]]] = {}
         for source, word, target in self.arcs:
             here = found.setdefault(source, {})
-            here[word] = here.get(word, frozenset()) | {target}
+            here[word] = here[word] | {target} if word in here else frozenset((target,))
         return found
 
     @property
@@ -91,12 +91,13 @@ def cover(automaton: Automaton) -> list[str]:
     That is all a recogniser with a bigram can learn from phrases.
     """
     ways_in, ways_out = _shortest_ways(automaton)
-    seen: set[tuple[str, str]] = set()
+    seen: dict[str, set[str]] = {}
     drawn: dict[str, None] = {}
 
     def draw(source: int, middle: tuple[str, ...], to: int) -> None:
         said = (*ways_in[source], *middle, *ways_out[to])
-        seen.update(zip(said, (*said[1:], ""), strict=True))
+        for word, after in zip(said, (*said[1:], ""), strict=True):
+            seen.setdefault(word, set()).add(after)
         drawn.setdefault(" ".join(said))
 
     # Wherever an arc comes from, the same words follow it: one arc for each word and target is enough.
@@ -104,11 +105,13 @@ def cover(automaton: Automaton) -> list[str]:
     for source, word, target in automaton.arcs:
         first.setdefault((word, target), source)
     for (word, target), source in first.items():
-        if target in automaton.finals and (word, "") not in seen:
+        followed = seen.setdefault(word, set())
+        if target in automaton.finals and "" not in followed:
             draw(source, (word,), target)
-        for after, targets in automaton.moves.get(target, {}).items():
-            if (word, after) not in seen:
-                draw(source, (word, after), next(iter(targets)))
+        onward = automaton.moves.get(target, {})
+        for after in sorted(onward.keys() - followed):
+            if after not in followed:  # a phrase drawn for another may have held this pair
+                draw(source, (word, after), next(iter(onward[after])))
     return list(drawn)
 
 

@@ -27,6 +27,7 @@ MAX_DEPTH = 0
 ...". Our choice: deeper, the automaton is many times as big and hearing no better."""
 SHORT_FORMS = {
     ("do", "not"): "don't",
+    ("did", "not"): "didn't",
     ("i", "am"): "i'm",
     ("you", "are"): "you're",
     ("it", "is"): "it's",

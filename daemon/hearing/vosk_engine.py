@@ -94,7 +94,13 @@ class VoskRecogniser:
             else:
                 unheard.append(word)
         self._language = restrict(language, language.words.difference(unheard))
-        phrases = [self._spelled(phrase) for phrase in cover(self._language)]
+        parts_of = {word: parts for parts, word in self._joined.items()}
+        phrases = [
+            " ".join(parts_of.get(word, word) for word in phrase.split())
+            if not parts_of.keys().isdisjoint(phrase.split())
+            else phrase
+            for phrase in cover(self._language)
+        ]
         grammar = phrases + [UNKNOWN] * (1 + len(phrases) // UNKNOWN_SHARE)
         self._recogniser = vosk.KaldiRecognizer(self._model, float(RATE_HZ), json.dumps(grammar))
         self._recogniser.SetMaxAlternatives(ALTERNATIVES)
@@ -143,10 +149,6 @@ class VoskRecogniser:
 
     def _knows(self, word: str) -> bool:
         return bool(self._model.vosk_model_find_word(word) >= 0)
-
-    def _spelled(self, phrase: str) -> str:
-        words = {word: parts for parts, word in self._joined.items()}
-        return " ".join(words.get(word, word) for word in phrase.split())
 
     def _read(self, text: str) -> str:
         for parts, word in self._joined.items():

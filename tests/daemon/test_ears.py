@@ -20,12 +20,14 @@ sys.path.insert(0, str(Path(__file__).parent))
 from bench import Bench
 
 AUDIO = Path(listening.__file__).parent / "demo" / "audio"
+ANSWER = Path(__file__).parents[1] / "dialogues" / "audio" / "the-red-one.wav"
 
 
 def submitting(bench: Bench) -> Callable[[Utterance, str], asyncio.Future[None]]:
     def submit(utterance: Utterance, source: str) -> asyncio.Future[None]:
         epoch = bench.cycle.begin(utterance, source)
-        bench.cycle.take(understand(utterance, bench.cycle.vocabulary), epoch, source)
+        words, asked = bench.cycle.vocabulary, bench.cycle.mind.expecting
+        bench.cycle.take(understand(utterance, words, asked), epoch, source)
         taken: asyncio.Future[None] = asyncio.get_running_loop().create_future()
         taken.set_result(None)
         return taken
@@ -59,6 +61,19 @@ async def test_what_is_said_is_heard_then_learned_words_are_heard_as_well(tmp_pa
         await ears.play(AUDIO / "01-drive-forward.wav", "Mary", "heard")
         (heard,) = [e for e in bench.all(events.Heard) if e.text == "drive forward"]
         assert heard.speaker == "Mary"
+    finally:
+        ears.close()
+
+
+async def test_an_answer_is_heard_while_it_is_asked_for() -> None:
+    bench = Bench()
+    ears = Ears(Hearing(), bench.cycle, submitting(bench))
+    try:
+        bench.say("the red block is next to the blue block")
+        bench.say("grab the block", wait=False)
+        bench.run(until=lambda: bench.cycle.mind.expecting is not None)
+        await ears.play(ANSWER, "", "heard")
+        assert bench.all(events.Understood)[-1].kind == "answer"
     finally:
         ears.close()
 

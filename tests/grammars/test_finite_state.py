@@ -17,7 +17,9 @@ from grammars.finite_state import (
     phrases,
     skeleton,
     spoken_rules,
+    spoken_words,
 )
+from grammars.parse import parse
 from grammars.vocabulary import BORN, Vocabulary
 
 RULES = [
@@ -53,10 +55,24 @@ to complain say i don't take orders from you
 i am rick
 turn left
 stop""".splitlines()
+MANAGING = """repeat turn left then turn right three times
+to patrol drive forward until something is close then turn around
+keep turning left
+make sure the gripper is closed
+find out whether something is close
+wait until the gripper is open
+undo everything from today
+forget that
+why didn't you turn left
+how many times did you turn left
+what would you do if i said dance then turn left
+no drive backwards instead of turning left
+if you fail to grab the block say sorry
+the red one""".splitlines()
 
 
-@pytest.mark.parametrize("sentence", DEMONSTRATION)
-def test_the_demonstration_may_be_said(sentence: str) -> None:
+@pytest.mark.parametrize("sentence", DEMONSTRATION + MANAGING)
+def test_the_demonstration_and_what_manages_it_may_be_said(sentence: str) -> None:
     assert automaton(BORN).accepts(sentence.split())
 
 
@@ -134,7 +150,16 @@ def test_a_taught_word_may_be_said() -> None:
 def test_a_thousand_names_change_the_language_at_once() -> None:
     names = {f"name{number}": {"PROPER": f"name{number}"} for number in range(1000)}
     assert automaton(Vocabulary(BORN.born, names)).accepts("grab name999".split())
-    assert skeleton().size < 1_000
+    assert skeleton().size < 1_250
+
+
+@pytest.mark.parametrize("rule", ["loop", "ensuring", "question", "control", "revision"])
+def test_what_may_be_said_parses(rule: str) -> None:
+    """A rule of the ears that drifts from the parser's would be listened for in vain."""
+    rules = heard_rules(spoken_rules(), _heard_text())
+    language = expand(compile_rules(rules, rule), spoken_words(BORN))
+    for sentence in sample(language, 15, random.Random(7)):
+        parse(sentence)
 
 
 def test_replaced_rules_name_rules_and_words_that_exist() -> None:
