@@ -54,9 +54,9 @@ def failed_act(focus: Focus) -> Node | None:
     return next(focus.speech_act.to("cmd"), None) if focus.speech_act is not None else None
 
 
-def explanation(failure: Failure) -> Reply:
+def explanation(commons: Commons, failure: Failure) -> Reply:
     """Why, as the robot tells it unless it was taught otherwise."""
-    act = describe(failure.act) if failure.act is not None else None
+    act = describe(failure.act, news=commons.news) if failure.act is not None else None
     if failure.reason == "prohibited" and failure.by is not None and act is not None:
         return Refused(act, failure.by, failure.because)
     return Failed(act, failure.reason, failure.detail, failure.about)

@@ -283,7 +283,7 @@ class Mind:
         failure = focus.failure or Failure("no_way")
         if focus.excuse is not None or -1 < failure.said_before < focus.said:
             return
-        excuse = explanation(failure)
+        excuse = explanation(self._commons, failure)
         complaint = self._begin(complain, None, failure, failed_act(focus))
         complaint.excuse = excuse
         self._waking.append(complaint)

@@ -45,7 +45,7 @@ def remembered(commons: Commons, focus: Focus, number: int, run: Run) -> Run:
     try:
         verdict = yield from run
     finally:
-        trouble = None if verdict.ok else trouble_of(focus, verdict)
+        trouble = None if verdict.ok else trouble_of(commons, focus, verdict)
         commons.experience.end(number, commons.tick.now_s, verdict, trouble)
     return verdict
 
@@ -74,15 +74,15 @@ def _never_began(commons: Commons, focus: Focus, verdict: Verdict, act: Graphlet
     now_s = commons.tick.now_s
     deed = Deed(0, act, act, focus.number, now_s, source=source(focus))
     number = commons.experience.begin(deed).number
-    commons.experience.end(number, now_s, verdict, trouble_of(focus, verdict))
+    commons.experience.end(number, now_s, verdict, trouble_of(commons, focus, verdict))
 
 
-def trouble_of(focus: Focus, verdict: Verdict) -> Trouble:
+def trouble_of(commons: Commons, focus: Focus, verdict: Verdict) -> Trouble:
     """Why the focus is failing, as a value."""
     if verdict is Verdict.STOPPED:
         return Trouble("stopped")
     failure = focus.failure or Failure("no_way")
-    act = told_of(failure.act) if failure.act is not None else None
+    act = told_of(failure.act, news=commons.news) if failure.act is not None else None
     return Trouble(failure.reason, act, failure.detail, failure.by, failure.steps)
 
 

@@ -54,17 +54,24 @@ def _teach(robot: Reach, planned: Plan, speaker: str, file: Path) -> int:
 
     learned = told = 0
     refused: list[tuple[Line, str]] = []
+    doubtful: list[tuple[Line, str]] = []
     with Progress(transient=True, disable=not sys.stderr.isatty()) as progress:
         task = progress.add_task("learning", total=len(planned.new))
         for line, _ in planned.new:
             came = _Came()
             who = speaker if line.speaker is None else line.speaker
             outcome = robot.say(line.text, who, came.see, aloud=False)
+            if came.asked:  # whoever wrote the file wants it, as whoever was asked then kept it
+                doubtful.append((line, came.reply))
+                outcome = robot.say("keep both", who, came.see, aloud=False)
             learned += came.learned
             told += came.noted and not came.learned
             if outcome != "done" or not (came.learned or came.noted):
                 refused.append((line, came.reply or outcome))
             progress.advance(task)
+    for line, why in doubtful:
+        doubt, _, _ = why.partition(" Shall I")
+        click.echo(f"{file}:{line.number}: {line.text!r}: kept all the same: {doubt}", err=True)
     for line, why in refused:
         click.echo(f"{file}:{line.number}: {line.text!r}: not learned: {why}", err=True)
     parts = [f"{learned} new", f"{len(planned.known)} known already"]
@@ -80,7 +87,7 @@ class _Came:
     """What came of one sentence."""
 
     def __init__(self) -> None:
-        self.learned = self.noted = False
+        self.learned = self.noted = self.asked = False
         self.reply = ""
 
     def see(self, event: Mapping[str, Any]) -> None:
@@ -88,6 +95,8 @@ class _Came:
         match event:
             case {"event": "lesson"}:
                 self.learned = True
+            case {"event": "question"}:
+                self.asked = True
             case {"event": "replied", "shown": shown, "kind": kind}:
                 self.noted = self.noted or kind == "FactTaken"
                 self.reply = shown

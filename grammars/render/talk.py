@@ -45,7 +45,9 @@ def control(meaning: Control, voice: Voice) -> str:
     if meaning.act == "stop":
         return f"stop {deed(telling, main, 'gerund')}"
     if meaning.act == "learned":
-        return f"what did {thing(telling, main)} teach {pronoun(telling, 'you', 'object')}"
+        me = "me" in telling.term(main).lex
+        who = pronoun(telling, "me", "subject") if me else thing(telling, main)
+        return f"what did {who} teach {pronoun(telling, 'you', 'object')}"
     if not main.startswith("act"):
         who = pronoun(telling, "me", "subject")
         return f"forget what {who} told {pronoun(telling, 'you', 'object')} about {thing(telling, main)}"
