@@ -56,9 +56,10 @@ def bindings(frame: Frame, find: Directive, later: Sequence[Directive]) -> Optio
         yield option
     if equal:
         return
+    broken_off = False
     if not sought(graphlet, later):
-        yield from _found_out(frame, find, start, tried)
-    if not tried and may_assume(graphlet, later):
+        broken_off = yield from _found_out(frame, find, start, tried)
+    if not tried and not broken_off and may_assume(graphlet, later):
         yield _assumed(frame, graphlet, start)
 
 
@@ -76,21 +77,25 @@ def recalled(frame: Frame, graphlet: Graphlet) -> Binding | None:
     return option
 
 
-def _found_out(frame: Frame, find: Directive, start: Binding, tried: set[Node]) -> Options:
-    """What turns up when FIND operators are followed, one after the other."""
+def _found_out(
+    frame: Frame, find: Directive, start: Binding, tried: set[Node]
+) -> Generator[Binding | None, None, bool]:
+    """What turns up when FIND operators are followed, one after the other; whether a stop ended the looking."""
     assert find.graphlet is not None
     main = find.graphlet.main
     frame.binding = start
     step = RunningStep(frame, find)
     for operator in step.operators("FIND"):
         frame.binding = start
-        if (yield from step.run(operator)) is Verdict.PUNTED:
-            break
+        verdict = yield from step.run(operator)
+        if verdict in (Verdict.PUNTED, Verdict.STOPPED):
+            return verdict is Verdict.STOPPED
         for option in list(remembered(frame, find.graphlet, start)):
             if option[main] not in tried:
                 tried.add(option[main])
                 frame.mention(option[main])
                 yield option
+    return False
 
 
 def _asked(

@@ -13,7 +13,7 @@ def ask(step: Step) -> Run:
     if tag := step.seeking():
         for operator in step.operators(tag):
             verdict = yield from step.run(operator)
-            if verdict is Verdict.PUNTED or not step.seeking():
+            if verdict in (Verdict.PUNTED, Verdict.STOPPED) or not step.seeking():
                 break
     step.answer()
     return Verdict.SUCCEEDED

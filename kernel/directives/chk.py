@@ -11,7 +11,7 @@ def chk(step: Step) -> Run:
     """Succeed if memory holds it, fail if memory denies it; else CHK operators are followed until it does either.
 
     Unknown after all is a verdict of its own. What an operator comes to does not matter, only what is known after it;
-    a PUNT ends the search.
+    a PUNT ends the search, and so does a stop.
 
     Source: mind.md; CHK is named but not described in Connell 2019.
     """
@@ -19,6 +19,8 @@ def chk(step: Step) -> Run:
     if truth is None:
         for operator in step.operators("CHK"):
             verdict = yield from step.run(operator)
+            if verdict is Verdict.STOPPED:
+                return verdict
             truth = step.truth()
             if truth is not None or verdict is Verdict.PUNTED:
                 break

@@ -33,7 +33,8 @@ def do(step: Step) -> Run:
     if outcome is Verdict.STOPPED:
         return outcome
     for operator in step.operators("POST"):
-        yield from step.run(operator)
+        if (yield from step.run(operator)) is Verdict.STOPPED:
+            return Verdict.STOPPED
     return outcome
 
 
