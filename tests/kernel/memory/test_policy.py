@@ -1,5 +1,7 @@
 """What is in force is what the journal says: the same whether it is folded at once or one change after another."""
 
+from copy import deepcopy
+
 from hypothesis import given
 from hypothesis import strategies as st
 
@@ -96,6 +98,16 @@ def test_an_undo_of_an_undo_is_an_undo_however_often() -> None:
     for number in range(2, 300):
         policy.apply(Change(number, undone=(number - 1,)))
         assert (1 in policy.lessons) == (number % 2 == 1)
+
+
+@given(journals())
+def test_a_preview_is_what_happens_and_changes_nothing(journal: list[Change]) -> None:
+    policy = Policy()
+    for change in journal:
+        before = deepcopy(policy)
+        foreseen = policy.preview(change)
+        assert vars(policy) == vars(before)
+        assert policy.apply(change) == foreseen
 
 
 def test_of_its_own_adaptations_the_last_one_is_remembered_and_a_persons_all() -> None:
