@@ -87,8 +87,9 @@ def test_what_it_was_born_with_can_be_retracted_and_restored() -> None:
 def test_a_preview_is_what_happens_and_changes_nothing(changes: list[Change]) -> None:
     policy = Policy()
     for change in changes:
+        before = deepcopy(policy)
         foreseen = policy.preview(change)
-        assert policy.preview(change) == foreseen
+        assert vars(policy) == vars(before)
         assert policy.apply(change) == foreseen
 
 
@@ -98,16 +99,6 @@ def test_an_undo_of_an_undo_is_an_undo_however_often() -> None:
     for number in range(2, 300):
         policy.apply(Change(number, undone=(number - 1,)))
         assert (1 in policy.lessons) == (number % 2 == 1)
-
-
-@given(journals())
-def test_a_preview_is_what_happens_and_changes_nothing(journal: list[Change]) -> None:
-    policy = Policy()
-    for change in journal:
-        before = deepcopy(policy)
-        foreseen = policy.preview(change)
-        assert vars(policy) == vars(before)
-        assert policy.apply(change) == foreseen
 
 
 def test_of_its_own_adaptations_the_last_one_is_remembered_and_a_persons_all() -> None:
