@@ -37,6 +37,10 @@ def main() -> None:
             cycle.step(link.now_s)
 
     pass_time(1.0)
+    cycle.hear(
+        Utterance("turn around", at_s=link.now_s)
+    )  # the daemon warms its parser up when it starts
+    pass_time(6.0)
     times: list[float] = []
     for text in COMMANDS * REPEATS:
         before = len(link.sent)

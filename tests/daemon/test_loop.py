@@ -191,6 +191,22 @@ def test_a_command_that_waits_for_the_mind_when_stop_comes_is_dropped_but_a_less
     assert bench.x_cm == pytest.approx(20, abs=2)
 
 
+@pytest.mark.parametrize("text", ["go on", "repeat that"])
+def test_what_was_broken_off_is_not_taken_up_by_words_before_the_stop(text: str) -> None:
+    bench = Bench()
+    bench.say("drive forward")
+    bench.say("drive forward one meter", wait=False)
+    bench.run(0.5)
+    bench.cycle.stop("control")
+    bench.run(1)
+    there_cm = bench.x_cm
+    bench.cycle.hear(Utterance(text))
+    bench.cycle.stop("control")
+    bench.run(2)
+    assert bench.x_cm == pytest.approx(there_cm, abs=0.5)
+    assert endings(bench)[-1] == (text, "stopped")
+
+
 def test_stop_ends_what_is_being_said() -> None:
     bench = Bench()
     bench.say("say one two three four five six seven eight", wait=False)

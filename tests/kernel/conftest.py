@@ -51,7 +51,6 @@ class Frictionless:
     def act(self, bids: Sequence[Bid], dt_s: float) -> None:
         bidding = {bid.ticket for bid in bids}
         self.ended = {t: why for t, why in self.ended.items() if t in bidding}
-        self.run_s = {t: run for t, run in self.run_s.items() if t in bidding}
         for bid in bids:
             if bid.ticket in self.ended:
                 continue

@@ -454,3 +454,23 @@ def test_speech_is_bid_for_once(robot: Any) -> None:
     robot.command(SAY.format("hello"))
     speech = [bid for _ in range(10) for bid in robot.tick().speech]
     assert [bid.command for bid in speech] == [Speak("hello")]
+
+
+def test_who_moves_is_busy_though_a_question_is_open(robot: Any) -> None:
+    for name in ("one", "two"):
+        robot.tell("ako-1 -lex- block; -ako-> obj-2", f"obj-2 -lex- {name}")
+    robot.pass_time(40)  # neither is in attention any more: they fit equally well
+    robot.teach(
+        "trig: ACH[ hq-1 -lex- closed; -hq-> obj-2 ]; pref: 1.0; ---;"
+        "FIND[ obj-3 -ref- the; ako-4 -lex- block; -ako-> obj-3 ]; DO[ act-5 -lex- grab; -obj-> obj-3 ]"
+    )
+    robot.pass_time(40)
+    robot.command(
+        "FIND[ obj-8; ako-9 -lex- gripper; -ako-> obj-8 ];"
+        "PLAY{; DO[ act-1 -lex- drive; amt-2 -lex- meter; -str- 1; -amt-> act-1 ];"
+        "WITH; KEEP[ hq-6 -lex- closed; -hq-> obj-8 ]; }"
+    )
+    robot.pass_time(1)
+    assert robot.mind.expecting is not None
+    assert robot.out.bids
+    assert robot.out.busy

@@ -49,3 +49,14 @@ def test_what_stands_on_the_shelves_is_what_comparing_all_finds(lesson: Lesson) 
         assert shelves.contradicting(lesson.content) == next(
             (x for x in newest_first if contradicts(x.content, lesson.content)), None
         )
+
+
+def test_lessons_are_found_by_the_words_in_them_and_operators_by_those_of_the_trigger() -> None:
+    shelves = Shelves()
+    for lesson in LESSONS:
+        shelves.add(lesson)
+    assert [x.ident for x in shelves.mentioning(frozenset(("girl", "person")))] == [3, 2, 1]
+    assert [x.ident for x in shelves.mentioning(frozenset(("lift",)))] == [6, 5]
+    assert [x.ident for x in shelves.triggered(frozenset(("lift", "grab", "girl")))] == [7, 6, 5]
+    shelves.remove(LESSONS[5])
+    assert [x.ident for x in shelves.triggered(frozenset(("lift",)))] == [5]
