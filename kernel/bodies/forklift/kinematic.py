@@ -16,6 +16,7 @@ from kernel.bodies.forklift.figures import REACH_CM
 REACH_M: Final = REACH_CM / 100  # of the rangefinder
 LOST_RAD: Final = math.radians(20)  # turned so far, what was ahead is not ahead any more
 SLOP_S: Final = 1e-9
+WAITING: Final = 64  # bids whose time is remembered
 
 
 class Kinematic:
@@ -34,10 +35,11 @@ class Kinematic:
         self._turned_rad = 0.0
 
     def act(self, bids: Sequence[Bid], dt_s: float) -> None:
-        """Do what is bid for dt_s seconds; what is bid no more has ended."""
+        """Do what is bid for dt_s seconds. The time of what is not bid stands still: it may be bid again, having waited."""
         bidding = {bid.ticket for bid in bids}
         self._ended = {t: why for t, why in self._ended.items() if t in bidding}
-        self._run_s = {t: run for t, run in self._run_s.items() if t in bidding}
+        while len(self._run_s) > WAITING:
+            del self._run_s[next(iter(self._run_s))]
         for bid in bids:
             if bid.ticket not in self._ended:
                 self._run(bid, dt_s)
