@@ -234,13 +234,12 @@ class Halo:
 
     def _is_known(self, conclusion: Conclusion, best: Instance) -> bool:
         """Whether something nearer says the same and is believed as much."""
-        nearer = conclusion.band - 1
-        if not all(map(self._net.has_word, conclusion.words - {""})):
-            return False
+        nearer, pattern = conclusion.band - 1, best.rule.rule.conclusion
         if best.plan.alias:
-            node = best.binding[best.rule.rule.conclusion.main]
+            node = best.binding[pattern.main]
             return node.known_as(str(conclusion.key[1]), nearer, best.belief)
-        pattern = best.rule.rule.conclusion
+        if not all(map(self._net.has_word, pattern.words())):
+            return False
         return holds(pattern, self._net, nearer, best.known, best.belief)
 
     def _assert(self, conclusion: Conclusion, best: Instance) -> None:

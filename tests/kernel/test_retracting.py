@@ -54,4 +54,4 @@ def test_what_it_was_born_with_stays(robot: Any, make_robot: Any, lesson: Any) -
     robot.hear(Control("forget", lessons=(-1_000_000, -1)), "forget")
     robot.settle()
     assert robot.do("DO[ act-1 -lex- drive; dir-2 -lex- forward; -dir-> act-1 ]")
-    assert robot.mind.history[-1].retracted == ()
+    assert robot.mind.history == ()

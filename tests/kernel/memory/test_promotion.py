@@ -225,3 +225,18 @@ def test_what_was_told_has_no_reasons(robot: Any) -> None:
 
 def test_lesson_origins_default_to_none() -> None:
     assert Lesson(1, "rule", parsed(rule("a", "b"))).origins == ()
+
+
+@pytest.mark.parametrize("word", ["dangerous", "purple"])  # one has a contrary that nobody mentioned
+def test_what_was_promoted_is_not_concluded_beside_itself(robot: Any, word: str) -> None:
+    robot.teach(
+        f"if: hq-1 -lex- heavy; -hq-> obj-2; then: hq-3 -lex- {word}; -hq-> obj-2; belief: 1.0"
+    )
+    robot.tell("hq-1 -lex- heavy; -hq-> obj-2", "obj-2; ako-3 -lex- crate; -ako-> obj-2")
+    about = parsed(f"hq-1 -lex- {word}; -hq-> obj-2; ako-3 -lex- crate; -ako-> obj-2")
+    for _ in range(2):
+        robot.hear(Question("yesno", about))
+        robot.settle()
+    memory = robot.mind.memory
+    memory.refresh()
+    assert [node.level for node in memory.net.with_word(word)] == [WORKING]
