@@ -58,7 +58,7 @@ def test_typed_in_virtual_time_every_line_goes_as_expected(tmp_path: Path) -> No
 
 
 @pytest.mark.timeout(240)  # about 20 s, but machines may be busy
-@pytest.mark.parametrize("engine", ["vosk", "pocketsphinx"])
+@pytest.mark.parametrize("engine", ["vosk", pytest.param("pocketsphinx", marks=pytest.mark.long)])
 def test_heard_in_virtual_time_every_line_goes_as_expected(engine: str) -> None:
     told = io.StringIO()
     status = main(fast=True, engine=engine, console=Console(file=told, width=200))
