@@ -12,7 +12,7 @@ from collections.abc import Iterable, Iterator
 from typing import Final
 
 from kernel.memory.fired import Fired, discard
-from kernel.memory.instance import Conclusion, Instance, Key, Plan, telling_words
+from kernel.memory.instance import Conclusion, Instance, Key, Plan, may_hold, telling_words
 from kernel.memory.rules import RuleBook, RuleInForce
 from kernel.net.changes import Changes
 from kernel.net.match import holds, solutions
@@ -239,6 +239,8 @@ class Halo:
             node = best.binding[pattern.main]
             return node.known_as(str(conclusion.key[1]), nearer, best.belief)
         if not all(map(self._net.has_word, pattern.words())):
+            return False
+        if not may_hold(pattern, nearer, best.known):
             return False
         return holds(pattern, self._net, nearer, best.known, best.belief)
 

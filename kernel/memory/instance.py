@@ -182,7 +182,7 @@ class Instance:
         return any(
             match[denied.main].rule == 0
             for denied in self.plan.denied
-            if all(map(net.has_word, denied.words()))
+            if all(map(net.has_word, denied.words())) and may_hold(denied, WORKING, self.known)
             for match in matches(denied, net, WORKING, self.known, 0.0)
         )
 
@@ -227,6 +227,22 @@ class Conclusion:
     def band(self) -> int:
         """BAND_1 or BAND_2."""
         return BAND_1 if self.key[0] == BAND_1 else BAND_1 + 1
+
+
+def may_hold(graphlet: Graphlet, depth: int, known: Binding) -> bool:
+    """A cheap look before matching: does anything within the depth say of a known thing what the main term says?"""
+    if graphlet.main in known:
+        return True
+    main = next((term for term in graphlet.terms if term.name == graphlet.main), None)
+    if main is None:
+        return True
+    for role, name in main.links:
+        if (thing := known.get(name)) is not None:
+            return any(
+                r == role and node.level <= depth and node.negated == main.negated
+                for r, node in thing.into
+            )
+    return True
 
 
 def telling_words(changes: Changes) -> dict[str, None]:
