@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from pathlib import Path
-from types import TracebackType
-from typing import Final, Self
+from typing import Final
 
 import platformdirs
 
+from daemon.closing import Closing
 from daemon.hearing import recording
 from daemon.hearing.choice import choose_engine
 from daemon.hearing.events import Heard, HearingEvent, NotHeard
@@ -36,7 +36,7 @@ class Recorded:
         return any(isinstance(event, Heard | NotHeard) for _, event in self.events)
 
 
-class VirtualEar:
+class VirtualEar(Closing):
     """One recogniser for all recordings of a rehearsal; its process starts with the first.
 
     Args:
@@ -87,17 +87,6 @@ class VirtualEar:
             self._transcriber.set_language(automaton(vocabulary))
         self._vocabulary = vocabulary
         return self._transcriber
-
-    def __enter__(self) -> Self:
-        return self
-
-    def __exit__(
-        self,
-        kind: type[BaseException] | None,
-        error: BaseException | None,
-        trace: TracebackType | None,
-    ) -> None:
-        self.close()
 
 
 def known_s(event: HearingEvent) -> float:

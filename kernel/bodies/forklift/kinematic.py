@@ -35,7 +35,7 @@ class Kinematic:
         self._turned_rad = 0.0
 
     def act(self, bids: Sequence[Bid], dt_s: float) -> None:
-        """Do what is bid for dt_s seconds. The time of what is not bid stands still: it may be bid again, having waited."""
+        """Do what is bid for dt_s seconds. The time of what is not bid stands still: it may be bid again later."""
         bidding = {bid.ticket for bid in bids}
         self._ended = {t: why for t, why in self._ended.items() if t in bidding}
         while len(self._run_s) > WAITING:

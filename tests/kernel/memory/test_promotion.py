@@ -227,7 +227,9 @@ def test_lesson_origins_default_to_none() -> None:
     assert Lesson(1, "rule", parsed(rule("a", "b"))).origins == ()
 
 
-@pytest.mark.parametrize("word", ["dangerous", "purple"])  # one has a contrary that nobody mentioned
+@pytest.mark.parametrize(
+    "word", ["dangerous", "purple"]
+)  # one has a contrary that nobody mentioned
 def test_what_was_promoted_is_not_concluded_beside_itself(robot: Any, word: str) -> None:
     robot.teach(
         f"if: hq-1 -lex- heavy; -hq-> obj-2; then: hq-3 -lex- {word}; -hq-> obj-2; belief: 1.0"
