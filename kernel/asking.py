@@ -50,7 +50,7 @@ class Asking:
     def main(self) -> Term:
         """What is asked about."""
         about = self.question.about
-        return next((term for term in about if term.name == about.main), Term(about.main))
+        return about.head or Term(about.main)
 
     @property
     def about_act(self) -> bool:
@@ -197,7 +197,7 @@ class Asking:
 
     def command(self, act: Graphlet) -> Chain:
         """The chain that doing the act would be: look-ups of what it names, then the act."""
-        main = next(term for term in act if term.name == act.main)
+        main = act.term(act.main)
         names = [other for role, other in main.links if role in ("obj", "dest")]
         things = [n for n in names if n in act.mentioned and not _is_person(act, n)]
         finds = [description(act, name) for name in things]

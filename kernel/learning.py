@@ -91,8 +91,8 @@ def _lasts(fact: Graphlet, finds: tuple[Graphlet, ...]) -> bool:
     """Facts of kind about a named individual are kept like lessons (mind.md)."""
     named = {t.name for g in (*finds, fact) for t in g.terms if t.kind == "obj" and t.lex}
     named -= {t.name for g in (*finds, fact) for t in g.terms if t.lex & {"you", "me"}}
-    main = next((t for t in fact.terms if t.name == fact.main), None)
-    return main is not None and any(role == "ako" and to in named for role, to in main.links)
+    links = fact.head.links if fact.head is not None else ()
+    return any(role == "ako" and to in named for role, to in links)
 
 
 def _doubt(commons: Commons, lesson: Lesson) -> tuple[Why, Lesson | None] | None:

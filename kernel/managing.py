@@ -171,8 +171,11 @@ def _by_number(commons: Commons, focus: Focus, numbers: tuple[int, ...]) -> Run:
 
 def _ways(commons: Commons, act: Graphlet) -> list[Lesson]:
     """Taught operators on doing that, or something more specific; without any, those it would be done by."""
-    main = next((term.lex for term in act if term.name == act.main), frozenset[str]())
-    some = commons.shelves.triggered(main) if main else commons.lessons.values()
+    some = (
+        commons.shelves.triggered(act.head.lex)
+        if act.head and act.head.lex
+        else commons.lessons.values()
+    )
     narrow, wide = [], []
     for lesson in some:
         operator = lesson.content

@@ -216,7 +216,7 @@ def names_speaker(operator: Operator) -> bool:
 def names_act(operator: Operator) -> bool:
     """Whether its trigger says which act it is about."""
     trigger = operator.trigger.graphlet
-    return trigger is not None and any(t.lex for t in trigger if t.name == trigger.main)
+    return trigger is not None and trigger.head is not None and bool(trigger.head.lex)
 
 
 def _patterns(operator: Operator) -> tuple[Graphlet, ...]:

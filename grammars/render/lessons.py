@@ -144,7 +144,7 @@ def is_alias(content: Rule) -> bool:
 
 def fact(content: Graphlet, finds: tuple[Graphlet, ...], voice: Voice) -> str:
     """The sentence that tells a fact about the things looked up."""
-    main = next((term for term in content if term.name == content.main), None)
+    main = content.head
     subjects = [other for role, other in main.links if role in SAYING] if main else []
     if main and not main.negated and subjects and _is_new(content, finds, subjects[0]):
         return f"there is {thing(Telling((*finds, content), (), voice), subjects[0])}"

@@ -15,7 +15,7 @@ def refused(reply: Refused) -> Said:
     lesson = reply.by
     words = lesson.words.strip().rstrip(".!") or render(lesson.content, "teacher")
     who = f"{proper(lesson.teacher)} told me" if lesson.teacher else "I was told"
-    learning = any(t.lex == {LEARN} for t in reply.act if t.name == reply.act.main)
+    learning = reply.act.head is not None and reply.act.head.lex == {LEARN}
     act = "learn that" if learning else act_in_words(reply.act)
     said = f"I may not {act}: {who} {literally(words)}"
     reasons = " and ".join(claim_in_words(graphlet) for graphlet in reply.because)

@@ -50,7 +50,7 @@ def equal_best(
         options: what fits it.
         rank: number of the newest focus that mentions a thing, 0 where it is no longer in attention.
     """
-    main = next((t for t in graphlet.terms if t.name == graphlet.main), None)
+    main = graphlet.head
     if main is None or main.ref != "the" or len(options) < 2:
         return ()
     things = [option[graphlet.main] for option in options]

@@ -120,7 +120,7 @@ def _beside(
 def _heir(new: Chain, old: Graphlet) -> Chain:
     """A single new step of the same verb keeps what it does not mention: whom the words are said to."""
     steps = [d.graphlet for d in new.directives() if d.tag == "DO" and d.graphlet]
-    before = {t.name: t for t in old}.get(old.main)
+    before = old.head
     if len(steps) != 1 or before is None:
         return new
     (step,) = steps

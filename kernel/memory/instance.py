@@ -56,8 +56,8 @@ class Plan:
     def of(cls, rule: Rule) -> Plan:
         """Work it out."""
         condition, conclusion = rule.condition.mentioned, rule.conclusion
-        main = next((t.lex for t in conclusion.terms if t.name == conclusion.main), frozenset())
-        alias = tuple(sorted(main)) if conclusion.main in condition else ()
+        words = conclusion.head.lex if conclusion.head is not None else ()
+        alias = tuple(sorted(words)) if conclusion.main in condition else ()
         canon = canonical_names([conclusion])
         known = tuple(
             sorted((n for n in conclusion.mentioned if n in condition), key=canon.__getitem__)

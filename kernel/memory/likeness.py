@@ -86,7 +86,7 @@ def _opposed(narrow: Rule, wide: Rule) -> bool:
 
 
 def _denies(conclusion: Graphlet) -> bool:
-    return any(term.negated for term in conclusion if term.name == conclusion.main)
+    return conclusion.head is not None and conclusion.head.negated
 
 
 def _forbidden_and_permitted(one: Operator, other: Operator) -> bool:
@@ -198,8 +198,8 @@ def covering(
 
 def _same_words(pattern: Graphlet, other: Graphlet) -> bool:
     """A quick no: the words of the main nodes."""
-    wanted, there = ({t.name: t.lex for t in g.terms}.get(g.main) for g in (pattern, other))
-    return wanted is None or there is None or wanted <= there
+    wanted, there = pattern.head, other.head
+    return wanted is None or there is None or wanted.lex <= there.lex
 
 
 def _drawn(graphlets: Iterable[Graphlet]) -> tuple[Net, Binding]:
