@@ -15,7 +15,6 @@ from kernel.memory.attention import Focus
 from kernel.memory.change import SESSION
 from kernel.memory.experience import Deed
 from kernel.memory.explanation import Asked, Lessons
-from kernel.memory.inference import is_alias
 from kernel.memory.lesson import Lesson, Operator, Rule
 from kernel.memory.meaning import Question
 from kernel.memory.meant import affirmed, description, grounded, is_like, synonyms, verb
@@ -163,7 +162,7 @@ class Asking:
             lesson
             for lesson in reversed(self.lessons)
             if isinstance(lesson.content, Rule)
-            and is_alias(lesson)
+            and lesson.content.is_alias
             and not words.isdisjoint(lesson.content.condition.words())
         )
 

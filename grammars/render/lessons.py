@@ -106,7 +106,7 @@ def _steps(content: Operator, when: str) -> list[str]:
 def rule(content: Rule, voice: Voice) -> str:
     """The sentence that teaches a rule."""
     condition, conclusion = content.condition, content.conclusion
-    if is_alias(content):
+    if content.is_alias:
         return f"{word(condition.terms[0])} means {word(conclusion.terms[0])}"
     telling = Telling((condition,), (conclusion, *content.unless), voice)
     said = f"if {conditions(telling, condition)}, "
@@ -132,14 +132,6 @@ def generic(content: Rule) -> str:
     denied = "not" if said.negated else ""
     what = plural(word(said)) if "ako" in roles else word(said)
     return " ".join(filter(None, (plural(word(of)), "are", denied, adverb, what)))
-
-
-def is_alias(content: Rule) -> bool:
-    """True where condition and conclusion name the same node and say nothing else."""
-    sides = (content.condition, content.conclusion)
-    return sides[0].main == sides[1].main and all(
-        len(side.terms) == 1 and side.terms[0].lex and not side.terms[0].links for side in sides
-    )
 
 
 def fact(content: Graphlet, finds: tuple[Graphlet, ...], voice: Voice) -> str:

@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterable
 from dataclasses import replace
 
 from kernel.action.chain import Chain, Directive, Loop, Part, Play
-from kernel.memory.lesson import Operator
+from kernel.memory.lesson import Operator, graphlets
 from kernel.memory.likeness import covers
 from kernel.memory.notation import mapped
 from kernel.net.graphlet import Graphlet, Term
@@ -16,7 +16,7 @@ ONE = frozenset(("one",))  # "the blue one": of whatever kind the other one is
 
 def with_other_step(operator: Operator, old: Graphlet, new: Chain) -> Operator | None:
     """The operator with `new` in the place of every step that the description `old` fits; None if none does."""
-    drawn = tuple(_graphlets(operator))
+    drawn = tuple(graphlets(operator))
     return _with(operator, lambda step: covers(old, drawn, step), new)
 
 
@@ -30,16 +30,16 @@ def with_other_end(operator: Operator, new: Chain) -> Operator | None:
 
 def with_more(operator: Operator, more: Chain, *, last: bool = False) -> Operator:
     """The operator with further steps at its beginning, or at its end."""
-    more = _fresh(more, _graphlets(operator))
+    more = _fresh(more, graphlets(operator))
     plays = (*operator.chain.plays, *more.plays) if last else (*more.plays, *operator.chain.plays)
     return replace(operator, chain=Chain(plays))
 
 
 def has_step(chain: Chain, old: Graphlet) -> bool:
     """Whether the description fits one of its steps."""
-    graphlets = [d.graphlet for d in chain.directives() if d.graphlet]
+    drawn = [d.graphlet for d in chain.directives() if d.graphlet]
     steps = [d.graphlet for d in chain.directives() if d.tag == "DO" and d.graphlet]
-    return any(covers(old, graphlets, step) for step in steps)
+    return any(covers(old, drawn, step) for step in steps)
 
 
 def with_other_thing(chain: Chain, old: Graphlet | None, new: Graphlet) -> Chain | None:
@@ -51,7 +51,7 @@ def with_other_thing(chain: Chain, old: Graphlet | None, new: Graphlet) -> Chain
     if not finds:
         return None
     before = finds[-1]
-    renamed = _fresh_graphlet(new, _chain_graphlets(chain))
+    renamed = _fresh_graphlet(new, chain.graphlets())
     renamed = renamed.renamed({renamed.main: before.main})
     kinds = [t for t in before if any(role == "ako" for role, _ in t.links)]
     terms = [t for t in renamed if t.lex != ONE]
@@ -66,7 +66,7 @@ def _kindless(described: Graphlet) -> Graphlet:
 
 
 def _with(operator: Operator, is_old: Callable[[Graphlet], bool], new: Chain) -> Operator | None:
-    new = _fresh(new, _graphlets(operator))
+    new = _fresh(new, graphlets(operator))
     gone: list[Graphlet] = []
 
     def swap(directive: Directive) -> tuple[Part, ...] | None:
@@ -147,15 +147,6 @@ def _pruned(chain: Chain, gone: list[Graphlet]) -> Chain:
         chain,
         lambda d: () if d.tag == "FIND" and d.graphlet and d.graphlet.main in idle else None,
     )
-
-
-def _graphlets(operator: Operator) -> list[Graphlet]:
-    found = [operator.trigger.graphlet, *operator.enablement, *operator.unless]
-    return [g for g in found if g is not None] + _chain_graphlets(operator.chain)
-
-
-def _chain_graphlets(chain: Chain) -> list[Graphlet]:
-    return list(chain.graphlets())
 
 
 def _fresh(chain: Chain, taken: Iterable[Graphlet]) -> Chain:

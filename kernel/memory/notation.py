@@ -7,7 +7,7 @@ from dataclasses import replace
 from typing import Any, TypeVar
 
 from kernel.action.chain import Chain, Directive, Loop, Part, Play, sequence
-from kernel.memory.lesson import Content, Operator, Rule
+from kernel.memory.lesson import Content, Operator, Rule, graphlets
 from kernel.memory.meaning import (
     Choice,
     Command,
@@ -96,16 +96,7 @@ def read_chain(text: str) -> Chain:
 
 
 def _graphlets(content: Written) -> Iterator[Graphlet]:
-    match content:
-        case Graphlet():
-            yield content
-        case Rule(condition, conclusion, unless):
-            yield from (condition, conclusion, *unless)
-        case Operator(trigger, chain, enablement, unless):
-            yield from (g for g in (trigger.graphlet, *enablement, *unless) if g)
-            yield from _graphlets(chain)
-        case Chain():
-            yield from content.graphlets()
+    return content.graphlets() if isinstance(content, Chain) else graphlets(content)
 
 
 def _renamed(content: W, names: dict[str, str]) -> W:
