@@ -76,7 +76,7 @@ class Asking:
         """The act asked about, affirmed, with whoever asks by name; None for "that"."""
         if not self.main.lex:
             return None
-        names = frozenset(self.commons.memory.user.lex - {"me"})
+        names = self.commons.memory.speaker_names
         return Graphlet(
             tuple(
                 replace(term, lex=names) if "me" in term.lex and names else term
@@ -101,8 +101,7 @@ class Asking:
     @property
     def lessons(self) -> list[Lesson]:
         """Lessons in force that were taught, oldest first: the one place that looks them up."""
-        taught = [x for x in self.commons.lessons.values() if 0 < x.ident < SESSION]
-        return sorted(taught, key=_number)
+        return sorted(filter(self.was_taught, self.commons.lessons.values()), key=_number)
 
     @staticmethod
     def was_taught(lesson: Lesson) -> bool:

@@ -32,7 +32,7 @@ def how(asking: Asking) -> Reply:
     """The lessons that say how; or that it is a skill of the body."""
     act = asking.act
     ways = asking.ways_to(act) if act is not None else []
-    taught = tuple(lesson for lesson in ways if lesson.ident > 0)
+    taught = tuple(filter(asking.was_taught, ways))
     if not taught and (meant := asking.aliases_of(asking.main.lex)):
         return Lessons(asking.question, meant)
     if ways and not taught:

@@ -170,7 +170,7 @@ def answer(
     """What memory has to say to a question about what is so. use: told of every match that the answer rests on."""
     about = question.about
     if question.topic == "identity":
-        names = memory.user.lex - {"me"}
+        names = memory.speaker_names
         return Answer(
             question, "found" if names else "unknown", (describe(memory.user),) * bool(names)
         )

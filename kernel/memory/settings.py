@@ -3,6 +3,9 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Final
+
+DAY_S: Final = 86_400
 
 
 @dataclass(frozen=True, slots=True)
@@ -40,3 +43,7 @@ class Settings:
     failure_step: float = 0.1
     recovery_step: float = 0.05
     belief_step: float = 0.1
+
+    def day(self, at_s: float) -> int:
+        """Number of the day on the wall on which that is; at_s: s since 1970."""
+        return int((at_s + self.utc_offset_s) // DAY_S)
