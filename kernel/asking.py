@@ -1,4 +1,5 @@
-"""A question about the robot itself, with what its answer is found in: experience, policy, memory, imagination."""
+"""A question of a person's about the robot itself, with what its answer is found in: experience, policy, memory,
+imagination. Each topic is answered by a file in kernel.answering; what is so in the world, by kernel.memory.recall."""
 
 from __future__ import annotations
 

@@ -230,13 +230,13 @@ def whole(fact: Fact) -> Graphlet:
 
 def answered(commons: Commons, meaning: Meaning) -> bool:
     """Pass an answer on to the open question; False for what is no answer."""
-    if not isinstance(meaning, Control) or commons.asked is None:
+    if not isinstance(meaning, Control) or commons.doubt is None:
         return False
     match meaning:
         case Control("keep" | "replace" | "cancel" as act):
-            commons.asked.answer = act
+            commons.doubt.answer = act
         case Control("undo" | "forget", about=None, told=None, lessons=()):  # "forget that"
-            commons.asked.answer = "cancel"
+            commons.doubt.answer = "cancel"
         case _:
             return False
     return True

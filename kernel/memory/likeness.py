@@ -1,6 +1,7 @@
 """How lessons compare: equal, contradicting, never to fire. Pure; all ours, the paper has no such thing.
 
-Small on purpose: what is found here is asked about, so it must be plain to a person that it is so.
+Small on purpose: what is found here is asked about, so it must be plain to a person that it is so. What was meant by a
+question is matched more leniently: kernel.memory.meant.
 """
 
 from __future__ import annotations

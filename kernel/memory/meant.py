@@ -1,4 +1,8 @@
-"""Whether what was done is what was asked about, and which known things a description means."""
+"""What a person means: whether an act that was done is the one asked about, and which known things are spoken of.
+
+It is lenient, as answers are: near words count as the same. How lessons compare (equal, contradicting), where nothing
+may be guessed, is kernel.memory.likeness.
+"""
 
 from __future__ import annotations
 
