@@ -4,11 +4,9 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Final
-
-import platformdirs
 
 from daemon.closing import Closing
+from daemon.config import model_folders
 from daemon.hearing import recording
 from daemon.hearing.choice import choose_engine
 from daemon.hearing.events import Heard, HearingEvent, NotHeard
@@ -19,8 +17,6 @@ from grammars.finite_state import automaton
 from grammars.vocabulary import Vocabulary
 from kernel.memory.meaning import Utterance
 from kernel.memory.reply import AskWhich
-
-MODELS: Final = "models"  # folder of installed models, in the user's data directory
 
 
 @dataclass(frozen=True, slots=True)
@@ -45,9 +41,7 @@ class VirtualEar(Closing):
     """
 
     def __init__(self, engine: str = "auto", model: str = "") -> None:
-        self._engine = choose_engine(
-            engine, model, (platformdirs.user_data_path("sayso") / MODELS,)
-        )
+        self._engine = choose_engine(engine, model, model_folders())
         self._transcriber: Transcriber | None = None
         self._vocabulary: Vocabulary | None = None
 

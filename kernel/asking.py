@@ -168,14 +168,12 @@ class Asking:
 
     def with_step(self, act: Graphlet) -> list[Lesson]:
         """Taught operators in whose chain the act is a step, newest first."""
-        found = []
-        for lesson in self.lessons:
-            if isinstance(lesson.content, Operator):
-                steps = lesson.content.chain.directives()
-                acts = [d.graphlet for d in steps if d.tag == "DO" and d.graphlet is not None]
-                if any(is_like(act, step) for step in acts):
-                    found.append(lesson)
-        return found[::-1]
+        return [
+            lesson
+            for lesson in reversed(self.lessons)
+            if isinstance(lesson.content, Operator)
+            and any(is_like(act, step) for step in lesson.content.chain.tagged("DO"))
+        ]
 
     # -- deeds -----------------------------------------------------------------------------
 

@@ -36,6 +36,11 @@ class Play:
     required: tuple[Part, ...]
     auxiliary: tuple[Part, ...] = ()
 
+    @property
+    def only(self) -> Part | None:
+        """Its one part; None where there are several."""
+        return self.required[0] if len(self.required) == 1 and not self.auxiliary else None
+
 
 @dataclass(frozen=True, slots=True)
 class Chain:
@@ -51,6 +56,10 @@ class Chain:
                     yield part
                 else:
                     yield from part.directives()
+
+    def tagged(self, tag: str) -> list[Graphlet]:
+        """Graphlets of the directives with that tag, in reading order, however deep."""
+        return [d.graphlet for d in self.directives() if d.tag == tag and d.graphlet is not None]
 
     def graphlets(self) -> Iterator[Graphlet]:
         """Every graphlet in reading order, however deep: those of directives, and what loops ask for."""

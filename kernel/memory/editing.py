@@ -38,13 +38,12 @@ def with_more(operator: Operator, more: Chain, *, last: bool = False) -> Operato
 def has_step(chain: Chain, old: Graphlet) -> bool:
     """Whether the description fits one of its steps."""
     drawn = [d.graphlet for d in chain.directives() if d.graphlet]
-    steps = [d.graphlet for d in chain.directives() if d.tag == "DO" and d.graphlet]
-    return any(covers(old, drawn, step) for step in steps)
+    return any(covers(old, drawn, step) for step in chain.tagged("DO"))
 
 
 def with_other_thing(chain: Chain, old: Graphlet | None, new: Graphlet) -> Chain | None:
     """The chain with another thing looked up in the place of the one that `old` describes, or of the last one."""
-    finds = [d.graphlet for d in chain.directives() if d.tag == "FIND" and d.graphlet]
+    finds = chain.tagged("FIND")
     if old is not None:
         wanted = _kindless(old)
         finds = [g for g in finds if covers(wanted, (g,), g)]
@@ -83,15 +82,14 @@ def _with(operator: Operator, is_old: Callable[[Graphlet], bool], new: Chain) ->
 def _parts(chain: Chain) -> Iterable[Part]:
     """A chain as what may stand in the place of one step."""
     for play in chain.plays:
-        yield play.required[0] if len(play.required) == 1 and not play.auxiliary else Chain((play,))
+        yield play.only or Chain((play,))
 
 
 def _mapped(chain: Chain, swap: Callable[[Directive], tuple[Part, ...] | None]) -> Chain:
     """The chain with directives replaced: in a play of their own by plays, beside others by a chain of their own."""
     plays: list[Play] = []
     for play in chain.plays:
-        alone = play.required[0] if len(play.required) == 1 and not play.auxiliary else None
-        swapped = swap(alone) if isinstance(alone, Directive) else None
+        swapped = swap(play.only) if isinstance(play.only, Directive) else None
         if swapped is not None:
             plays += [Play((part,)) for part in swapped]
             continue
@@ -119,7 +117,7 @@ def _beside(
 
 def _heir(new: Chain, old: Graphlet) -> Chain:
     """A single new step of the same verb keeps what it does not mention: whom the words are said to."""
-    steps = [d.graphlet for d in new.directives() if d.tag == "DO" and d.graphlet]
+    steps = new.tagged("DO")
     before = old.head
     if len(steps) != 1 or before is None:
         return new
@@ -136,13 +134,9 @@ def _heir(new: Chain, old: Graphlet) -> Chain:
 def _pruned(chain: Chain, gone: list[Graphlet]) -> Chain:
     """Without the look-ups that only the steps that are gone needed."""
     was = {name for graphlet in gone for name in graphlet.mentioned}
-    finds = [d.graphlet for d in chain.directives() if d.tag == "FIND"]
+    finds = chain.tagged("FIND")
     needed = {name for g in chain.graphlets() if g not in finds for name in g.mentioned}
-    idle = {
-        d.graphlet.main
-        for d in chain.directives()
-        if d.tag == "FIND" and d.graphlet and d.graphlet.main in was - needed
-    }
+    idle = {g.main for g in finds if g.main in was - needed}
     return _mapped(
         chain,
         lambda d: () if d.tag == "FIND" and d.graphlet and d.graphlet.main in idle else None,

@@ -99,7 +99,7 @@ def _forbidden_and_permitted(one: Operator, other: Operator) -> bool:
 def _opposite_reactions(one: Operator, other: Operator) -> bool:
     if not (one.trigger.tag == other.trigger.tag == "NOTE" and _when(one) == _when(other)):
         return False
-    deeds = [_acts(operator.chain) for operator in (one, other)]
+    deeds = [operator.chain.tagged("DO") for operator in (one, other)]
     if len(deeds[0]) != 1 or len(deeds[1]) != 1:
         return False
     (mine,), (others,) = deeds
@@ -110,10 +110,6 @@ def _opposite_reactions(one: Operator, other: Operator) -> bool:
 def _when(operator: Operator) -> Operator:
     """Trigger and conditions alone."""
     return plain(replace(operator, trigger=replace(operator.trigger, tag=""), chain=Chain()))
-
-
-def _acts(chain: Chain) -> list[Graphlet]:
-    return [d.graphlet for d in chain.directives() if d.tag == "DO" and d.graphlet]
 
 
 Never = Literal["both", "always_excepted", "only_itself", "denies_itself", "nothing_new"]
@@ -175,7 +171,7 @@ def _only_itself(operator: Operator) -> Never | None:
     trigger = operator.trigger.graphlet
     if operator.trigger.tag != "DO" or trigger is None:
         return None
-    acts = _acts(operator.chain)
+    acts = operator.chain.tagged("DO")
     return "only_itself" if acts and all(covers(trigger, (act,), act) for act in acts) else None
 
 

@@ -252,9 +252,8 @@ def _directive_lines(directive: Directive) -> list[str]:
 def _chain_lines(chain: Chain) -> list[str]:
     lines: list[str] = []
     for play in chain.plays:
-        alone = len(play.required) == 1 and not play.auxiliary
-        if alone and not isinstance(play.required[0], Chain):
-            lines += _part_lines(play.required[0])
+        if play.only is not None and not isinstance(play.only, Chain):
+            lines += _part_lines(play.only)
             continue
         inner = [line for part in play.required for line in _part_lines(part)]
         if play.auxiliary:
