@@ -8,17 +8,16 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
-from typing import Final
 
 from kernel.net.graphlet import Graphlet
-
-PAPER_TAGS: Final = ("NOTE", "DO", "ANTE", "POST", "CHK", "FIND", "ACH", "KEEP", "PUNT", "FCN")
-OUR_TAGS: Final = ("ADD", "ALLOW", "ASK", "EDIT", "EXCUSE", "STOP", "WAIT")
 
 
 @dataclass(frozen=True, slots=True)
 class Directive:
-    """A tag on a graphlet: DO[act-1 -lex- drive]. PUNT carries none."""
+    """A tag on a graphlet: DO[act-1 -lex- drive]. PUNT carries none.
+
+    What is carried out is a file in kernel/directives; ANTE, POST and ALLOW are tags of triggers alone.
+    """
 
     tag: str
     graphlet: Graphlet | None = None
