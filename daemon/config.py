@@ -155,6 +155,11 @@ def runtime_dir(config: Config, environ: Mapping[str, str] = os.environ) -> Path
     return state_dir(config, environ) if apart else Path(users_own) / "sayso"
 
 
+def model_folders() -> tuple[Path, ...]:
+    """Where models for the recogniser are installed."""
+    return (platformdirs.user_data_path("sayso") / "models",)
+
+
 def store_path(config: Config) -> Path:
     """The lessons."""
     return state_dir(config) / "lessons.sqlite"

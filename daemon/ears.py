@@ -9,11 +9,9 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import TYPE_CHECKING, Final
 
-import platformdirs
-
 from daemon.aside import Aside
 from daemon.clock import Clock
-from daemon.config import Hearing
+from daemon.config import Hearing, model_folders
 from daemon.hearing.events import Heard, HearingEvent, NotHeard, StopWord
 from daemon.hearing.typed import typed
 from daemon.loop import Cycle
@@ -24,7 +22,6 @@ if TYPE_CHECKING:
     from daemon.listening import Listening
 
 LONGEST_LINE: Final = 4096  # bytes
-MODELS: Final = "models"  # folder of installed models, in the user's data directory
 
 Submit = Callable[[Utterance, str], asyncio.Future[None]]
 
@@ -109,8 +106,7 @@ class Ears:
 
         try:
             if self._listening is None:
-                folders = (platformdirs.user_data_path("sayso") / MODELS,)
-                engine = choose_engine(self._hearing.engine, self._hearing.model, folders)
+                engine = choose_engine(self._hearing.engine, self._hearing.model, model_folders())
                 self._known = self._cycle.vocabulary
                 self._listening = Listening(
                     engine, self._known, self._from_the_ear, lambda: self._cycle.mind.expecting

@@ -7,11 +7,11 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from pathlib import Path
-from types import TracebackType
-from typing import Final, Self
+from typing import Final
 
 from daemon import events
 from daemon.clock import Clock
+from daemon.closing import Closing
 from daemon.config import Config, store_path
 from daemon.control.messages import OutcomeWord
 from daemon.hearing.events import Heard, NotHeard, StopWord
@@ -26,7 +26,7 @@ CONNECT_S: Final = 3.0
 SETTLE_S: Final = 60.0
 
 
-class Here:
+class Here(Closing):
     """A cycle in virtual time on the user's store.
 
     Args:
@@ -122,14 +122,3 @@ class Here:
         if self._following is not None:
             self._following.see(event)
             self._watch(event)
-
-    def __enter__(self) -> Self:
-        return self
-
-    def __exit__(
-        self,
-        kind: type[BaseException] | None,
-        error: BaseException | None,
-        trace: TracebackType | None,
-    ) -> None:
-        self.close()

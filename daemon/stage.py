@@ -7,10 +7,10 @@ from collections.abc import Callable
 from functools import partial
 from itertools import count
 from pathlib import Path
-from types import TracebackType
-from typing import TYPE_CHECKING, Final, Self
+from typing import TYPE_CHECKING, Final
 
 from daemon import events as ev
+from daemon.closing import Closing
 from daemon.config import Config, MindPart, Robot
 from daemon.hearing.events import Heard, HearingEvent, NotHeard, StopWord
 from daemon.judgement import Turn
@@ -33,7 +33,7 @@ SETTLE_S: Final = 0.5
 AT_MOST_S: Final = 60.0
 
 
-class Stage:
+class Stage(Closing):
     """One rehearsal's daemon. Time passes only in `run` and `restart`.
 
     Args:
@@ -182,14 +182,3 @@ class Stage:
     def _emit(self, event: ev.Event) -> None:
         self._recorder.happen(event)
         self._tell(event)
-
-    def __enter__(self) -> Self:
-        return self
-
-    def __exit__(
-        self,
-        kind: type[BaseException] | None,
-        error: BaseException | None,
-        trace: TracebackType | None,
-    ) -> None:
-        self.close()

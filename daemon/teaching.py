@@ -14,10 +14,10 @@ from grammars.knowledge import born
 from grammars.parse import parse
 from grammars.replies import say
 from grammars.vocabulary import Vocabulary, from_policy
+from kernel.managing import whole
 from kernel.memory.lesson import Content, Lesson, LessonKind
 from kernel.memory.meaning import Fact, Meaning, Teach
 from kernel.memory.notation import canonical, write
-from kernel.net.graphlet import Graphlet
 
 
 @dataclass(frozen=True, slots=True)
@@ -115,10 +115,8 @@ def lesson_of(meaning: Meaning, words: str) -> Lesson | None:
     match meaning:
         case Teach(kind, content):
             return Lesson(0, kind, canonical(content), words)
-        case Fact(fact, finds):
-            terms = {term.name: term for graphlet in (*finds, fact) for term in graphlet}
-            whole = Graphlet(tuple(terms.values()), fact.main)
-            return Lesson(0, "fact", canonical(whole), words)
+        case Fact() as fact:
+            return Lesson(0, "fact", whole(fact), words)
     return None
 
 

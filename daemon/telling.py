@@ -118,11 +118,9 @@ def from_shift(shift: Shift, now_s: float) -> Iterator[events.Event]:
 def from_reply(reply: Reply, said: Said, now_s: float) -> Iterator[events.Event]:
     """The events of one reply: an acknowledgement where something was taken, a question where one was put, and always
     the reply itself."""
-    if isinstance(reply, AskKeep):
-        yield events.Question(t=now_s, text=said.shown)
     if isinstance(reply, ACKNOWLEDGES) and not _in_vain(reply):
         yield events.Acknowledged(t=now_s, text=said.shown)
-    if isinstance(reply, AskWhich):
+    if isinstance(reply, AskKeep | AskWhich):
         yield events.Question(t=now_s, text=said.shown)
     yield events.Replied(
         t=now_s,

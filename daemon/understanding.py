@@ -17,6 +17,12 @@ STOP_WORDS: Final = frozenset({"stop", "halt", "freeze"})
 BESIDE_STOP: Final = frozenset({"robot", "sayso", "please", "now", "hey"})
 
 
+def _said(text: str) -> list[str]:
+    """The words, the robot's name and manners aside."""
+    words = "".join(c if c.isalpha() or c == "'" else " " for c in text.lower()).split()
+    return [word for word in words if word not in BESIDE_STOP]
+
+
 def is_stop(text: str) -> bool:
     """It begins with a stop word, the robot's name and manners aside.
 
@@ -25,9 +31,7 @@ def is_stop(text: str) -> bool:
     >>> is_stop("Robot, stop it!"), is_stop("to stop say hi")
     (True, False)
     """
-    words = "".join(c if c.isalpha() or c == "'" else " " for c in text.lower()).split()
-    first = next((word for word in words if word not in BESIDE_STOP), "")
-    return first in STOP_WORDS
+    return next(iter(_said(text)), "") in STOP_WORDS
 
 
 NO_ACTIVITY: Final = frozenset({"everything", "anything", "something", "nothing", "thing"})
@@ -45,8 +49,7 @@ def names_activity(text: str) -> bool:
     >>> names_activity("stop turning"), names_activity("stop everything"), names_activity("stop now")
     (True, False, False)
     """
-    words = "".join(c if c.isalpha() or c == "'" else " " for c in text.lower()).split()
-    said = [word for word in words if word not in BESIDE_STOP and word not in ("the", "all")]
+    said = [word for word in _said(text) if word not in ("the", "all")]
     if len(said) < 2 or len(said) > FEW_WORDS or said[0] not in STOP_WORDS:
         return False
     return said[1].endswith("ing") and said[1] not in NO_ACTIVITY

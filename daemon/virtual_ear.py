@@ -4,11 +4,9 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from pathlib import Path
-from types import TracebackType
-from typing import Final, Self
 
-import platformdirs
-
+from daemon.closing import Closing
+from daemon.config import model_folders
 from daemon.hearing import recording
 from daemon.hearing.choice import choose_engine
 from daemon.hearing.events import Heard, HearingEvent, NotHeard
@@ -19,8 +17,6 @@ from grammars.finite_state import automaton
 from grammars.vocabulary import Vocabulary
 from kernel.memory.meaning import Utterance
 from kernel.memory.reply import AskWhich
-
-MODELS: Final = "models"  # folder of installed models, in the user's data directory
 
 
 @dataclass(frozen=True, slots=True)
@@ -36,7 +32,7 @@ class Recorded:
         return any(isinstance(event, Heard | NotHeard) for _, event in self.events)
 
 
-class VirtualEar:
+class VirtualEar(Closing):
     """One recogniser for all recordings of a rehearsal; its process starts with the first.
 
     Args:
@@ -45,9 +41,7 @@ class VirtualEar:
     """
 
     def __init__(self, engine: str = "auto", model: str = "") -> None:
-        self._engine = choose_engine(
-            engine, model, (platformdirs.user_data_path("sayso") / MODELS,)
-        )
+        self._engine = choose_engine(engine, model, model_folders())
         self._transcriber: Transcriber | None = None
         self._vocabulary: Vocabulary | None = None
 
@@ -87,17 +81,6 @@ class VirtualEar:
             self._transcriber.set_language(automaton(vocabulary))
         self._vocabulary = vocabulary
         return self._transcriber
-
-    def __enter__(self) -> Self:
-        return self
-
-    def __exit__(
-        self,
-        kind: type[BaseException] | None,
-        error: BaseException | None,
-        trace: TracebackType | None,
-    ) -> None:
-        self.close()
 
 
 def known_s(event: HearingEvent) -> float:

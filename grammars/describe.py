@@ -7,7 +7,7 @@ from typing import Any
 
 from grammars.reading import Parsed
 from kernel.action.chain import Chain
-from kernel.memory.lesson import Operator, Rule
+from kernel.memory.lesson import Operator, Rule, graphlets
 from kernel.memory.meaning import (
     Command,
     Control,
@@ -72,14 +72,8 @@ def _graphlets(meaning: Meaning) -> Iterator[Graphlet]:
             yield from (part for part in (instead_of, of) if part is not None)
         case Command(chain):
             yield from chain.graphlets()
-        case Teach(content=Rule() as rule):
-            yield from (rule.condition, rule.conclusion, *rule.unless)
-        case Teach(content=Operator() as operator):
-            yield from (operator.trigger.graphlet,) if operator.trigger.graphlet else ()
-            yield from operator.chain.graphlets()
-            yield from (*operator.enablement, *operator.unless)
-        case _:
-            return
+        case Teach(content=content):
+            yield from graphlets(content)
 
 
 def _words(meaning: Meaning) -> set[str]:
@@ -102,6 +96,4 @@ def _implied(parsed: Parsed) -> set[str]:
 def _trigger(operator: Operator) -> list[str]:
     """Lemmas of the trigger's main node."""
     graphlet = operator.trigger.graphlet
-    if graphlet is None or graphlet.main not in graphlet.names:
-        return []
-    return sorted(graphlet.term(graphlet.main).lex)
+    return sorted(graphlet.head.lex) if graphlet is not None and graphlet.head is not None else []

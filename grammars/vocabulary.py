@@ -14,8 +14,8 @@ from itertools import product
 from typing import Final
 
 from grammars import morphology
-from kernel.memory.lesson import Lesson, Operator, Rule
-from kernel.net.graphlet import Graphlet, Term
+from kernel.memory.lesson import Lesson, Rule, graphlets
+from kernel.net.graphlet import Term
 
 Readings = dict[str, str]  # category: lemma
 Lexicon = dict[str, Readings]
@@ -162,7 +162,7 @@ def from_policy(lessons: Iterable[Lesson]) -> Vocabulary:
     """The vocabulary after these lessons: what they mention, in the category they mention it in."""
     taught: Lexicon = {}
     for lesson in lessons:
-        for graphlet in _graphlets(lesson):
+        for graphlet in graphlets(lesson.content):
             for term in graphlet:
                 for word in term.lex:
                     if " " not in word:
@@ -190,18 +190,6 @@ def extended(vocabulary: Vocabulary, lessons: Iterable[Lesson]) -> Vocabulary:
     known = vocabulary.taught
     merged = {word: {**readings, **known.get(word, {})} for word, readings in new.items()}
     return Vocabulary(vocabulary.born, {**known, **merged})
-
-
-def _graphlets(lesson: Lesson) -> Iterator[Graphlet]:
-    content = lesson.content
-    if isinstance(content, Graphlet):
-        yield content
-    elif isinstance(content, Rule):
-        yield from (content.condition, content.conclusion, *content.unless)
-    elif isinstance(content, Operator):
-        yield from (content.trigger.graphlet,) if content.trigger.graphlet else ()
-        yield from content.chain.graphlets()
-        yield from (*content.enablement, *content.unless)
 
 
 def _teach(taught: Lexicon, word: str, term: Term) -> None:

@@ -127,7 +127,7 @@ class AdvisedStep:
             self.commons.record(
                 "chosen", self.focus, tag=tag, lesson=choice.lesson.ident, depth=depth
             )
-            use(self.commons, self.focus, choice.operator.asks, choice.binding)
+            use(self.commons, self.focus, choice.operator.patterns, choice.binding)
             if tag == "ANTE" and choice.operator.prohibits:
                 self.prohibit(choice)
             yield choice

@@ -1,4 +1,5 @@
-"""A question about the robot itself, with what its answer is found in: experience, policy, memory, imagination."""
+"""A question of a person's about the robot itself, with what its answer is found in: experience, policy, memory,
+imagination. Each topic is answered by a file in kernel.answering; what is so in the world, by kernel.memory.recall."""
 
 from __future__ import annotations
 
@@ -15,7 +16,6 @@ from kernel.memory.attention import Focus
 from kernel.memory.change import SESSION
 from kernel.memory.experience import Deed
 from kernel.memory.explanation import Asked, Lessons
-from kernel.memory.inference import is_alias
 from kernel.memory.lesson import Lesson, Operator, Rule
 from kernel.memory.meaning import Question
 from kernel.memory.meant import affirmed, description, grounded, is_like, synonyms, verb
@@ -50,7 +50,7 @@ class Asking:
     def main(self) -> Term:
         """What is asked about."""
         about = self.question.about
-        return next((term for term in about if term.name == about.main), Term(about.main))
+        return about.head or Term(about.main)
 
     @property
     def about_act(self) -> bool:
@@ -77,7 +77,7 @@ class Asking:
         """The act asked about, affirmed, with whoever asks by name; None for "that"."""
         if not self.main.lex:
             return None
-        names = frozenset(self.commons.memory.user.lex - {"me"})
+        names = self.commons.memory.speaker_names
         return Graphlet(
             tuple(
                 replace(term, lex=names) if "me" in term.lex and names else term
@@ -102,8 +102,7 @@ class Asking:
     @property
     def lessons(self) -> list[Lesson]:
         """Lessons in force that were taught, oldest first: the one place that looks them up."""
-        taught = [x for x in self.commons.lessons.values() if 0 < x.ident < SESSION]
-        return sorted(taught, key=_number)
+        return sorted(filter(self.was_taught, self.commons.lessons.values()), key=_number)
 
     @staticmethod
     def was_taught(lesson: Lesson) -> bool:
@@ -163,20 +162,18 @@ class Asking:
             lesson
             for lesson in reversed(self.lessons)
             if isinstance(lesson.content, Rule)
-            and is_alias(lesson)
+            and lesson.content.is_alias
             and not words.isdisjoint(lesson.content.condition.words())
         )
 
     def with_step(self, act: Graphlet) -> list[Lesson]:
         """Taught operators in whose chain the act is a step, newest first."""
-        found = []
-        for lesson in self.lessons:
-            if isinstance(lesson.content, Operator):
-                steps = lesson.content.chain.directives()
-                acts = [d.graphlet for d in steps if d.tag == "DO" and d.graphlet is not None]
-                if any(is_like(act, step) for step in acts):
-                    found.append(lesson)
-        return found[::-1]
+        return [
+            lesson
+            for lesson in reversed(self.lessons)
+            if isinstance(lesson.content, Operator)
+            and any(is_like(act, step) for step in lesson.content.chain.tagged("DO"))
+        ]
 
     # -- deeds -----------------------------------------------------------------------------
 
@@ -197,7 +194,7 @@ class Asking:
 
     def command(self, act: Graphlet) -> Chain:
         """The chain that doing the act would be: look-ups of what it names, then the act."""
-        main = next(term for term in act if term.name == act.main)
+        main = act.term(act.main)
         names = [other for role, other in main.links if role in ("obj", "dest")]
         things = [n for n in names if n in act.mentioned and not _is_person(act, n)]
         finds = [description(act, name) for name in things]

@@ -65,10 +65,10 @@ def attend(mind: Listener, commons: Commons, focus: Focus) -> Run:
     for name in heard.utterance.candidates:
         memory.net.link(focus.speech_act, "agt", memory.person(name.lower()))
     answered = managing.answered(commons, heard.meaning)
-    open_before = commons.asked is not None and commons.asked.focus < focus.number
+    open_before = commons.doubt is not None and commons.doubt.focus < focus.number
     closed = open_before and not answered
     if closed:
-        commons.asked = None  # whatever else is said after it closes the question
+        commons.doubt = None  # whatever else is said after it closes the question
     if isinstance(heard.meaning, Command):
         _quote(commons, focus, heard.meaning)
     said = _spoken(commons, focus, heard.utterance.text)
@@ -205,15 +205,15 @@ def _control(mind: Listener, commons: Commons, focus: Focus, control: Control) -
 
 def _choose(commons: Commons, focus: Focus, described: Graphlet) -> None:
     """The person said which one is meant; where that is still not clear, the question is put again."""
-    asking = commons.asking
-    if asking is None:
+    which = commons.which
+    if which is None:
         return
-    if (chosen := asking.take(described, commons.memory.net)) is not None:
+    if (chosen := which.take(described, commons.memory.net)) is not None:
         commons.memory.net.touch(chosen)
         focus.nodes[chosen] = None
         commons.record("answered", focus, text=" ".join(sorted(described.words())))
     else:
-        commons.replies.append(asking.question)
+        commons.replies.append(which.question)
 
 
 def _fact(commons: Commons, focus: Focus, fact: Graphlet, finds: tuple[Graphlet, ...]) -> Run:

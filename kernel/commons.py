@@ -10,17 +10,17 @@ from typing import Final, Literal
 from kernel.action.arbiter import Claim
 from kernel.action.call import Bid, Tick
 from kernel.action.trace import Record, What
-from kernel.memory.asking import Asking
 from kernel.memory.attention import Attention, Failure, Focus, Progress
 from kernel.memory.change import SESSION, Change
 from kernel.memory.experience import Experience
 from kernel.memory.lesson import Lesson, Operator, Rule
 from kernel.memory.operators import Operators
 from kernel.memory.policy import Policy, Shift
-from kernel.memory.recent import Asked, Recent, Saying
+from kernel.memory.recent import Doubt, Recent, Saying
 from kernel.memory.reply import LessonTaken, Reason, Reply
 from kernel.memory.settings import Settings
 from kernel.memory.shelves import Shelves
+from kernel.memory.which import Which
 from kernel.memory.working import TOLD_LIMIT, WorkingMemory
 from kernel.net.graphlet import Graphlet
 from kernel.net.node import Node
@@ -43,12 +43,12 @@ class Commons:
 
     Attributes:
         attention: all foci.
-        asking: which thing is meant: the question that is open.
+        which: the open question, put by the robot, which thing is meant.
         policy: what is in force of all that was learned; facts: the node of each stored fact in force, by lesson.
         shelves: lessons in force by what they might be equal to or contradict.
         sayings: how the facts of the session were told, by lesson.
         pending: changes the store has not answered for: the focus each came from, and the whole change, by key.
-        asked: what to do with a doubtful lesson: the question that is open; recent: what was done last.
+        doubt: the open question, put by the robot, what to do with a doubtful lesson; recent: what was done last.
         struck: tickets that must end at their next turn, and why: "ended" as if they were done, "stopped" for good,
             all other reasons as failures.
         doing: every DO under way; begun: acts that are to be noted, as they begin.
@@ -69,12 +69,12 @@ class Commons:
     replies: list[Reply] = field(default_factory=list)
     persist: list[tuple[int, Change]] = field(default_factory=list)
     attention: Attention = field(default_factory=Attention)
-    asking: Asking | None = None
+    which: Which | None = None
     shift: Shift = field(default_factory=Shift)
     pending: dict[int, tuple[Focus, Change]] = field(default_factory=dict)
     shelves: Shelves = field(default_factory=Shelves)
     sayings: dict[int, Saying] = field(default_factory=dict)
-    asked: Asked | None = None
+    doubt: Doubt | None = None
     recent: Recent = field(default_factory=Recent)
     policy: Policy = field(default_factory=Policy)
     facts: dict[int, Node] = field(default_factory=dict)

@@ -11,8 +11,8 @@ from typing import TYPE_CHECKING
 
 from kernel.action.chain import Directive
 from kernel.action.verdict import Verdict
-from kernel.memory.asking import PATIENCE_S, Asking, equal_best, which
 from kernel.memory.recall import may_assume, missing, referents, stands_for_one
+from kernel.memory.which import PATIENCE_S, Which, ask_which, equal_best
 from kernel.memory.wondering import is_thing, sought, spelled_out, values
 from kernel.net.graphlet import Graphlet
 from kernel.net.match import Binding
@@ -104,23 +104,23 @@ def _asked(
     """Ask which of them is meant and wait for the answer; None where none comes in time."""
     commons = frame.commons
     things = tuple(sorted(things, key=lambda node: node.stamp))  # as they were mentioned
-    question = which(graphlet, things)
+    question = ask_which(graphlet, things)
     until_s = commons.tick.now_s + PATIENCE_S
-    asking = Asking(frame.focus.number, question, things, until_s)
-    commons.asking = asking
+    asked = Which(frame.focus.number, question, things, until_s)
+    commons.which = asked
     commons.replies.append(question)
     commons.record("asked", frame.focus, text=missing(Directive("FIND", graphlet)))
     try:
-        while asking.chosen is None:
-            if commons.asking is not asking or commons.tick.now_s >= asking.until_s:
+        while asked.chosen is None:
+            if commons.which is not asked or commons.tick.now_s >= asked.until_s:
                 frame.explain("not_answered", None, about=(graphlet,))
                 return None
             frame.focus.waits.add("answer")
             yield
     finally:
-        if commons.asking is asking:
-            commons.asking = None
-    return asking.chosen
+        if commons.which is asked:
+            commons.which = None
+    return asked.chosen
 
 
 def _assumed(frame: Frame, graphlet: Graphlet, start: Binding) -> Binding:

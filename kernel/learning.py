@@ -10,7 +10,7 @@ from kernel.commons import Commons
 from kernel.memory.attention import Failure, Focus
 from kernel.memory.lesson import Lesson, Operator
 from kernel.memory.likeness import covers, never_fires
-from kernel.memory.recent import PATIENCE_S, Asked
+from kernel.memory.recent import PATIENCE_S, Doubt
 from kernel.memory.reply import AskKeep, KnownAlready, LessonDropped, Revised, Why
 from kernel.net.graphlet import Graphlet
 from kernel.net.match import matches
@@ -44,12 +44,14 @@ def learn(commons: Commons, focus: Focus) -> Learning:
             return True
         change = replace(change, retracted=(old.ident,))
     elif (doubt := _doubt(commons, lesson)) is not None:
-        asked = Asked(lesson, *doubt, _until_s(commons), focus.number)
-        answer = yield from _answer(commons, focus, asked)
+        why, other = doubt
+        until_s = commons.tick.now_s + PATIENCE_S
+        answer = yield from _answer(
+            commons, focus, Doubt(lesson, why, other, until_s, focus.number)
+        )
         if answer == "cancel":
             commons.replies.append(LessonDropped(lesson))
             return True
-        other = doubt[1]
         if answer == "replace" and other is not None:
             if not commons.may(focus.by, other):
                 focus.failure = Failure("not_yours", None, other.teacher)
@@ -91,8 +93,8 @@ def _lasts(fact: Graphlet, finds: tuple[Graphlet, ...]) -> bool:
     """Facts of kind about a named individual are kept like lessons (mind.md)."""
     named = {t.name for g in (*finds, fact) for t in g.terms if t.kind == "obj" and t.lex}
     named -= {t.name for g in (*finds, fact) for t in g.terms if t.lex & {"you", "me"}}
-    main = next((t for t in fact.terms if t.name == fact.main), None)
-    return main is not None and any(role == "ako" and to in named for role, to in main.links)
+    links = fact.head.links if fact.head is not None else ()
+    return any(role == "ako" and to in named for role, to in links)
 
 
 def _doubt(commons: Commons, lesson: Lesson) -> tuple[Why, Lesson | None] | None:
@@ -122,19 +124,15 @@ def _not_theirs(commons: Commons, focus: Focus, lesson: Lesson) -> Lesson | None
     return None
 
 
-def _until_s(commons: Commons) -> float:
-    return commons.tick.now_s + PATIENCE_S
-
-
-def _answer(commons: Commons, focus: Focus, asked: Asked) -> Generator[None, None, str]:
+def _answer(commons: Commons, focus: Focus, doubt: Doubt) -> Generator[None, None, str]:
     """Ask, and wait for the answer: until another utterance, a stop, or time closes the question."""
-    commons.asked = asked
-    commons.replies.append(AskKeep(asked.lesson, asked.why, asked.other))
+    commons.doubt = doubt
+    commons.replies.append(AskKeep(doubt.lesson, doubt.why, doubt.other))
     try:
-        while commons.asked is asked and not asked.answer and commons.tick.now_s < asked.until_s:
+        while commons.doubt is doubt and not doubt.answer and commons.tick.now_s < doubt.until_s:
             focus.waits.add("answer")
             yield
     finally:
-        if commons.asked is asked:
-            commons.asked = None
-    return asked.answer
+        if commons.doubt is doubt:
+            commons.doubt = None
+    return doubt.answer

@@ -102,8 +102,5 @@ def _is_open(loop: Loop) -> bool:
 
 
 def _only_step(chain: Chain) -> Directive | None:
-    play = chain.plays[0] if len(chain.plays) == 1 else None
-    if play is None or len(play.required) != 1 or play.auxiliary:
-        return None
-    part = play.required[0]
+    part = chain.plays[0].only if len(chain.plays) == 1 else None
     return part if isinstance(part, Directive) else None

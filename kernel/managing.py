@@ -7,7 +7,6 @@ from __future__ import annotations
 
 from collections.abc import Generator, Iterable
 from dataclasses import replace
-from datetime import UTC, date, datetime
 
 from kernel.action.step import Run
 from kernel.action.verdict import Verdict
@@ -63,16 +62,10 @@ def undo_today(commons: Commons, focus: Focus) -> Run:
     """Back to what was in force when the day began; days are those of the robot's place."""
     yield from settled(commons, focus)
     change = focus.changing()
-    offset_s = commons.settings.utc_offset_s
-    today = _day(change.at_s, offset_s)
-    undone = [
-        c.ident for c in commons.policy.changes() if not c.own and _day(c.at_s, offset_s) == today
-    ]
+    day = commons.settings.day
+    today = day(change.at_s)
+    undone = [c.ident for c in commons.policy.changes() if not c.own and day(c.at_s) == today]
     return (yield from _take_back(commons, focus, replace(change, undone=tuple(undone))))
-
-
-def _day(at_s: float, offset_s: float) -> date:
-    return datetime.fromtimestamp(at_s + offset_s, UTC).date()
 
 
 def _take_back(commons: Commons, focus: Focus, change: Change) -> Run:
@@ -135,7 +128,7 @@ def forget(commons: Commons, focus: Focus, control: Control) -> Run:
     if control.told is not None:
         found = _told(commons, control.told, focus.by)
     elif about is None:
-        found = _last(commons)
+        found = last_taught(commons)
     elif about.main.startswith("act"):
         found = _ways(commons, about)
         if not found and _inborn(commons, about):
@@ -171,8 +164,11 @@ def _by_number(commons: Commons, focus: Focus, numbers: tuple[int, ...]) -> Run:
 
 def _ways(commons: Commons, act: Graphlet) -> list[Lesson]:
     """Taught operators on doing that, or something more specific; without any, those it would be done by."""
-    main = next((term.lex for term in act if term.name == act.main), frozenset[str]())
-    some = commons.shelves.triggered(main) if main else commons.lessons.values()
+    some = (
+        commons.shelves.triggered(act.head.lex)
+        if act.head and act.head.lex
+        else commons.lessons.values()
+    )
     narrow, wide = [], []
     for lesson in some:
         operator = lesson.content
@@ -202,8 +198,8 @@ def _told(commons: Commons, told: Teach | Fact, by: str) -> list[Lesson]:
     return commons.shelves.alike(in_own_name(content, by))
 
 
-def _last(commons: Commons) -> list[Lesson]:
-    """What the newest change taught of which something is in force."""
+def last_taught(commons: Commons) -> list[Lesson]:
+    """What is in force of the newest change by which a person taught something that is."""
     for change in commons.policy.changes():
         found = [lesson for lesson in change.learned if lesson.ident in commons.lessons]
         if found and not change.own:
@@ -234,13 +230,13 @@ def whole(fact: Fact) -> Graphlet:
 
 def answered(commons: Commons, meaning: Meaning) -> bool:
     """Pass an answer on to the open question; False for what is no answer."""
-    if not isinstance(meaning, Control) or commons.asked is None:
+    if not isinstance(meaning, Control) or commons.doubt is None:
         return False
     match meaning:
         case Control("keep" | "replace" | "cancel" as act):
-            commons.asked.answer = act
+            commons.doubt.answer = act
         case Control("undo" | "forget", about=None, told=None, lessons=()):  # "forget that"
-            commons.asked.answer = "cancel"
+            commons.doubt.answer = "cancel"
         case _:
             return False
     return True

@@ -99,7 +99,7 @@ class Mind:
     @property
     def expecting(self) -> AskWhich | None:
         """The question that is open, if there is one."""
-        return self._commons.asking.question if self._commons.asking else None
+        return self._commons.which.question if self._commons.which else None
 
     @property
     def experience(self) -> Experience:
@@ -215,11 +215,11 @@ class Mind:
 
     def _drop_question(self) -> None:
         """Another command closes the question, and what waits for its answer ends."""
-        asking = self._commons.asking
+        which = self._commons.which
         for focus in self._attention.active():
-            if asking is not None and focus.number == asking.focus:
+            if which is not None and focus.number == which.focus:
                 self.close(focus, Verdict.STOPPED)
-        self._commons.asking = None
+        self._commons.which = None
 
     def _begin(self, how: Callable[..., Run], heard: Heard | None, *args: object) -> Focus:
         if self._attention.crowded and (gone := self._attention.evict()) is not None:

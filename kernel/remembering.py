@@ -57,9 +57,8 @@ def unreached(commons: Commons, focus: Focus, verdict: Verdict) -> None:
         _never_began(commons, focus, verdict, LEARNING)
     if verdict.ok or not isinstance(meaning, Command):
         return
-    directives = list(meaning.chain.directives())
-    wanted = [d.graphlet for d in directives if d.tag == "DO" and d.graphlet]
-    looked_up = [t for d in directives if d.tag == "FIND" and d.graphlet for t in d.graphlet]
+    wanted = meaning.chain.tagged("DO")
+    looked_up = [term for find in meaning.chain.tagged("FIND") for term in find]
     begun = [
         deed
         for deed in commons.experience

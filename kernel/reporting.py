@@ -32,10 +32,7 @@ def commanded(frame: Frame, chain: Chain) -> Run:
 
 def _inquiry(chain: Chain) -> Directive | None:
     """The last step, if it is CHK, or FIND for what something is like."""
-    last = chain.plays[-1] if chain.plays else None
-    if last is None or len(last.required) != 1 or last.auxiliary:
-        return None
-    (part,) = last.required
+    part = chain.plays[-1].only if chain.plays else None
     if not isinstance(part, Directive) or part.graphlet is None:
         return None
     asks = part.tag == "CHK" or (part.tag == "FIND" and not is_thing(part.graphlet))

@@ -15,7 +15,7 @@ from kernel.action.step import Run
 from kernel.action.verdict import Verdict
 from kernel.adapting import adapts, feedback_change
 from kernel.commons import Commons
-from kernel.managing import with_chunks
+from kernel.managing import last_taught, with_chunks
 from kernel.memory.attention import Failure, Focus
 from kernel.memory.editing import (
     has_step,
@@ -109,12 +109,8 @@ def _named(commons: Commons, act: Graphlet) -> Iterator[tuple[Lesson, Operator]]
 
 
 def _taught(commons: Commons) -> Lesson | None:
-    """The last lesson a person taught, if it is in force."""
-    for change in commons.policy.changes():
-        for lesson in change.learned:
-            if not change.own and lesson.ident in commons.lessons:
-                return lesson
-    return None
+    """The last lesson that a person taught and that is in force."""
+    return next(iter(last_taught(commons)), None)
 
 
 def _edit(commons: Commons, focus: Focus, old: Lesson, operator: Operator) -> Run:
@@ -128,7 +124,7 @@ def _edit(commons: Commons, focus: Focus, old: Lesson, operator: Operator) -> Ru
     focus.change = replace(change, learned=(new,), retracted=gone)
     verdict = yield from Frame(commons, focus, {}).directive(Directive("EDIT", LEARNING))
     if verdict.ok:
-        commons.replies.append(Revised(new, (old,)))
+        commons.replies.append(Revised(new))
     return verdict
 
 

@@ -69,7 +69,7 @@ class Frame:
 
     def found(self, progress: Progress) -> Binding:
         """What the look-ups of the command have found so far."""
-        finds = [d.graphlet for d in progress.chain.directives() if d.tag == "FIND" and d.graphlet]
+        finds = progress.chain.tagged("FIND")
         return {g.main: self.binding[g.main] for g in finds if g.main in self.binding}
 
     def chain(self, chain: Chain, followed: bool = False) -> Run:
@@ -286,5 +286,5 @@ def directive_text(directive: Directive) -> str:
 
 
 def _lone_find(play: Play) -> Directive | None:
-    part = play.required[0] if len(play.required) == 1 and not play.auxiliary else None
+    part = play.only
     return part if isinstance(part, Directive) and part.tag == "FIND" else None

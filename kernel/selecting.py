@@ -185,7 +185,7 @@ class Selection:
         for permission in by:
             if speakers and _named_teller(permission.operator):
                 continue
-            use(self.commons, self.focus, permission.operator.asks, permission.binding)
+            use(self.commons, self.focus, permission.operator.patterns, permission.binding)
             self.commons.record("permitted", self.focus, by=permission.lesson.words)
             return True
         named = [permission for permission in by if _named_teller(permission.operator)]
@@ -197,7 +197,7 @@ class Selection:
         """Whether it permits this very speaker."""
         teller = _named_teller(permission.operator)
         words = next(
-            (t.lex for g in _patterns(permission.operator) for t in g if t.name == teller),
+            (t.lex for g in permission.operator.patterns for t in g if t.name == teller),
             frozenset(),
         )
         return bool(words) and words <= speaker.words()
@@ -210,17 +210,13 @@ def _somebodies(trigger: Graphlet, binding: Binding) -> list[Node]:
 
 def names_speaker(operator: Operator) -> bool:
     """Whether it asks who gave the order."""
-    return bool(_teller(_patterns(operator)))
+    return bool(_teller(operator.patterns))
 
 
 def names_act(operator: Operator) -> bool:
     """Whether its trigger says which act it is about."""
     trigger = operator.trigger.graphlet
-    return trigger is not None and any(t.lex for t in trigger if t.name == trigger.main)
-
-
-def _patterns(operator: Operator) -> tuple[Graphlet, ...]:
-    return tuple(g for g in (operator.trigger.graphlet, *operator.enablement) if g is not None)
+    return trigger is not None and trigger.head is not None and bool(trigger.head.lex)
 
 
 def _teller(graphlets: tuple[Graphlet, ...]) -> str:
@@ -233,7 +229,6 @@ def _teller(graphlets: tuple[Graphlet, ...]) -> str:
 
 def _named_teller(operator: Operator) -> str:
     """The same, if he is called by his name."""
-    patterns = _patterns(operator)
-    teller = _teller(patterns)
-    named = any(t.name == teller and t.lex for graphlet in patterns for t in graphlet)
+    teller = _teller(operator.patterns)
+    named = any(t.name == teller and t.lex for g in operator.patterns for t in g)
     return teller if named else ""

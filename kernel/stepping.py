@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from functools import partial
-from typing import TYPE_CHECKING
 
 from kernel.action.step import Advice, Run, StepReason, break_off
 from kernel.action.verdict import Verdict
@@ -18,9 +17,6 @@ from kernel.memory.wondering import spelled_out
 from kernel.net.match import matches
 from kernel.stopping import stop_matching
 from kernel.using import use
-
-if TYPE_CHECKING:
-    pass
 
 
 class RunningStep(AdvisedStep):

@@ -5,9 +5,9 @@ from __future__ import annotations
 import socket
 from collections.abc import Iterator
 from pathlib import Path
-from types import TracebackType
-from typing import Final, Self
+from typing import Final
 
+from daemon.closing import Closing
 from daemon.control import messages
 
 ANSWER_S: Final = 90.0  # longer than the daemon waits for an utterance to settle
@@ -17,7 +17,7 @@ class ControlError(Exception):
     """The daemon did not do it; the message says why."""
 
 
-class Client:
+class Client(Closing):
     """One connection to a running daemon. answer_s: how long an answer may take; None: for ever.
 
     Raises:
@@ -55,14 +55,3 @@ class Client:
         """Hang up."""
         self._lines.close()
         self._socket.close()
-
-    def __enter__(self) -> Self:
-        return self
-
-    def __exit__(
-        self,
-        kind: type[BaseException] | None,
-        error: BaseException | None,
-        trace: TracebackType | None,
-    ) -> None:
-        self.close()

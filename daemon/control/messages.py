@@ -9,7 +9,6 @@ from typing import Annotated, Any, Final, Literal
 
 import msgspec
 
-VERSION: Final = 1
 LINE_BYTES: Final = 16_384  # longest request
 TEXT_LENGTH: Final = 1_000
 NAME_LENGTH: Final = 60

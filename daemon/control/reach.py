@@ -5,11 +5,11 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from contextlib import AbstractContextManager, closing, nullcontext
 from pathlib import Path
-from types import TracebackType
-from typing import TYPE_CHECKING, Any, Self
+from typing import TYPE_CHECKING, Any
 
 import msgspec
 
+from daemon.closing import Closing
 from daemon.control import messages
 from daemon.control.client import Client
 from daemon.control.messages import OutcomeWord
@@ -30,7 +30,7 @@ class ReachError(Exception):
     """It was not done; the message says why and what to do."""
 
 
-class Reach:
+class Reach(Closing):
     """What both ways can do. Use as a context.
 
     Attributes:
@@ -71,23 +71,8 @@ class Reach:
             )
         return self._forget(numbers, speaker, see)
 
-    def close(self) -> None:
-        """Hang up, or stop and close."""
-        raise NotImplementedError
-
     def _forget(self, numbers: tuple[int, ...], speaker: str, see: See) -> OutcomeWord:
         raise NotImplementedError
-
-    def __enter__(self) -> Self:
-        return self
-
-    def __exit__(
-        self,
-        kind: type[BaseException] | None,
-        error: BaseException | None,
-        trace: TracebackType | None,
-    ) -> None:
-        self.close()
 
 
 class Running(Reach):

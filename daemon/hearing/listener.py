@@ -43,7 +43,6 @@ class _Utterance:
     """What is being said."""
 
     began_s: float
-    joined: bool
     sound: list[Samples]
     spoken_s: float
     resumed_s: float
@@ -142,7 +141,7 @@ class Listener:
         self._heard -= again
         began_s = held.began_s if held else self.now_s - whole / RATE_HZ
         heard = list(held.sound) if held else []
-        utterance = _Utterance(began_s, held is not None, heard, self.now_s, self.now_s)
+        utterance = _Utterance(began_s, heard, self.now_s, self.now_s)
         if held:
             utterance.chance, utterance.text = held.chance, held.text
         self._utterance = utterance

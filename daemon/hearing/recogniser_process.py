@@ -5,11 +5,11 @@ from __future__ import annotations
 import selectors
 import subprocess
 import sys
-from types import TracebackType
 from typing import BinaryIO
 
 import msgspec
 
+from daemon.closing import Closing
 from daemon.hearing.recogniser import EngineError
 from daemon.hearing.worker import HEADER, Refused, Reply, Request, framed
 
@@ -22,7 +22,7 @@ class RecogniserLostError(Exception):
     """The recogniser's process died or hung."""
 
 
-class RecogniserProcess:
+class RecogniserProcess(Closing):
     """One process, from start to close. Starting another after a loss is the caller's business."""
 
     def __init__(self) -> None:
@@ -77,17 +77,6 @@ class RecogniserProcess:
             self._process.kill()
             self._process.wait()
         self._out.close()
-
-    def __enter__(self) -> RecogniserProcess:
-        return self
-
-    def __exit__(
-        self,
-        kind: type[BaseException] | None,
-        error: BaseException | None,
-        trace: TracebackType | None,
-    ) -> None:
-        self.close()
 
     @property
     def _in(self) -> BinaryIO:

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from pathlib import Path
-from types import TracebackType
 
 import numpy as np
 
+from daemon.closing import Closing
 from daemon.hearing import recording
 from daemon.hearing.choice import Engine
 from daemon.hearing.events import Ended, HearingEvent, NotHeard
@@ -21,7 +21,7 @@ SILENCE_S = 5.0
 """Silence after a recording: enough for the longest wait to be over."""
 
 
-class Transcriber:
+class Transcriber(Closing):
     """A recogniser kept for several recordings. If its process dies, the recording is reported lost and the next one
     gets a new process.
 
@@ -103,17 +103,6 @@ class Transcriber:
         if self._process is not None:
             self._process.close()
             self._process = None
-
-    def __enter__(self) -> Transcriber:
-        return self
-
-    def __exit__(
-        self,
-        kind: type[BaseException] | None,
-        error: BaseException | None,
-        trace: TracebackType | None,
-    ) -> None:
-        self.close()
 
 
 def transcribe(

@@ -53,7 +53,7 @@ def conditions(telling: Telling, graphlet: Graphlet, hedge: str = "") -> str:
     """
     predicates = [term for term in graphlet if is_predicate(term)]
     telling.release(predicates)
-    main = next((term for term in graphlet if term.name == graphlet.main), None)
+    main = graphlet.head
     told = []
     if main is not None and not is_predicate(main):
         told.append(naming(telling, main))

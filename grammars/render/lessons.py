@@ -106,7 +106,7 @@ def _steps(content: Operator, when: str) -> list[str]:
 def rule(content: Rule, voice: Voice) -> str:
     """The sentence that teaches a rule."""
     condition, conclusion = content.condition, content.conclusion
-    if is_alias(content):
+    if content.is_alias:
         return f"{word(condition.terms[0])} means {word(conclusion.terms[0])}"
     telling = Telling((condition,), (conclusion, *content.unless), voice)
     said = f"if {conditions(telling, condition)}, "
@@ -134,17 +134,9 @@ def generic(content: Rule) -> str:
     return " ".join(filter(None, (plural(word(of)), "are", denied, adverb, what)))
 
 
-def is_alias(content: Rule) -> bool:
-    """True where condition and conclusion name the same node and say nothing else."""
-    sides = (content.condition, content.conclusion)
-    return sides[0].main == sides[1].main and all(
-        len(side.terms) == 1 and side.terms[0].lex and not side.terms[0].links for side in sides
-    )
-
-
 def fact(content: Graphlet, finds: tuple[Graphlet, ...], voice: Voice) -> str:
     """The sentence that tells a fact about the things looked up."""
-    main = next((term for term in content if term.name == content.main), None)
+    main = content.head
     subjects = [other for role, other in main.links if role in SAYING] if main else []
     if main and not main.negated and subjects and _is_new(content, finds, subjects[0]):
         return f"there is {thing(Telling((*finds, content), (), voice), subjects[0])}"

@@ -25,7 +25,7 @@ def procedure(telling: Telling, chain: Chain, form: VerbForm = "base") -> str:
         for name in directive.graphlet.mentioned
         if (directive.tag, name) != ("FIND", directive.graphlet.main)
     }
-    looked_up = [d.graphlet.main for d in chain.directives() if d.tag == "FIND" and d.graphlet]
+    looked_up = [find.main for find in chain.tagged("FIND")]
     plays = (_play(telling, _by_mention(play, looked_up), form, spoken) for play in chain.plays)
     return " then ".join(filter(None, plays))
 

@@ -62,7 +62,7 @@ def reasoning(steps: Sequence[Inference]) -> str:
 
 def what_was(fact: Graphlet) -> str:
     """What was so then: "something was very close"."""
-    main = next((term for term in fact if term.name == fact.main), None)
+    main = fact.head
     if main is not None and main.kind == "input":  # somebody spoke: docs/net.md, NOTE[tell]
         speakers = [other for role, other in main.links if role == "agt"]
         names = [min(t.lex - {"me"}, default="") for t in fact if t.name in speakers]

@@ -51,23 +51,9 @@ def _unknown(asked: Question) -> str:
             return "I am doing nothing"
         case "did", "what":
             return "I did nothing"
-        case "learned", _:
-            return "nobody taught me anything"
-        case "taught", _ if _is_act(asked.about):
-            return f"nobody taught me to {act_in_words(asked.about)}"
-        case "taught", _:
-            return f"nobody told me that {claim_in_words(asked.about)}"
-        case "know_how", _:
-            return f"I don't know how to {act_in_words(asked.about)}"
-        case "know_about", _:
-            return f"I know nothing about {thing_in_words(asked.about.main, (asked.about,))}"
-        case _, "why":
-            return "I don't know why"
         case "did", ask:
             head = {"yesno": "whether", "howmany": "how many times"}.get(ask, ask)
             return f"I don't know {head} I {act_in_words(asked.about, (), 'past')}"
-        case (("happens" | "before" | "after" | "abilities" | "allowed"), _):
-            return "I don't know"
     return f"I don't know {indirect(asked, 'robot')}"
 
 
@@ -78,11 +64,7 @@ def _is_act(about: Graphlet) -> bool:
 def _found(asked: Question, found: tuple[Graphlet, ...]) -> str:
     told = [_told(asked, graphlet) for graphlet in found]
     if not told:
-        return {
-            "doing": "I am doing nothing",
-            "did": "I did nothing",
-            "learned": "nobody taught me anything today",
-        }.get(asked.topic, "nothing that I know of")
+        return "I am doing nothing" if asked.topic == "doing" else "nothing that I know of"
     answer = listed(told)
     match asked.topic:
         case "identity":
@@ -91,9 +73,7 @@ def _found(asked: Question, found: tuple[Graphlet, ...]) -> str:
             return f"I am {answer}"
         case "did" if asked.ask == "what":
             return f"I {answer}"
-        case "taught":
-            return f"{answer} taught me to {act_in_words(asked.about)}"
-    return f"because {answer}" if asked.ask == "why" else answer
+    return answer
 
 
 def _told(asked: Question, graphlet: Graphlet) -> str:

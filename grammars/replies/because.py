@@ -31,7 +31,7 @@ def because(reply: Because) -> Said:
 def _told(reply: Because, asked: Asked | None) -> list[str]:
     """The sentences; asked: with when each lesson was taught."""
     deed, about = reply.deed, reply.question.about
-    main = next((term for term in about if term.name == about.main), None)
+    main = about.head
     denied = main is not None and main.negated
     if deed is None:
         if reply.trouble is not None:

@@ -43,8 +43,7 @@ def _verb(reply: Failed) -> str:
     """The bare verb."""
     if reply.act is None or not _is_act(reply):
         return "do"
-    main = [term for term in reply.act if term.name == reply.act.main]
-    return min((word for term in main for word in term.lex), default="do")
+    return min(reply.act.head.lex if reply.act.head is not None else (), default="do")
 
 
 def _not_grounded(reply: Failed) -> str:

@@ -47,15 +47,11 @@ def _words(lesson: Lesson, revised: tuple[Lesson, ...]) -> str:
     return render(lesson.content, "teacher") if lesson in revised else exact_words(lesson)
 
 
-def _none(question: Question | None) -> str:
-    if (
-        question is not None
-        and question.topic == "learned"
-        and question.about.main.startswith("obj")
-    ):
+def _none(question: Question) -> str:
+    if question.topic == "learned" and question.about.main.startswith("obj"):
         return f"{thing_in_words(question.about.main, (question.about,))} taught me nothing"
-    if question is None or question.topic in _NONE:
-        return _NONE[question.topic if question else "learned"]
+    if question.topic in _NONE:
+        return _NONE[question.topic]
     if question.topic == "means":
         return f"I don't know what {min(question.about.words(), default='that')} means"
     if question.topic == "know_how" and any(term.lex for term in question.about):

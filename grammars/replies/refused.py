@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from grammars.render import act_in_words, claim_in_words, render
+from grammars.render import act_in_words, claim_in_words
+from grammars.render.reasons import exact_words
 from grammars.render.things import literally, proper
 from grammars.replies import Said, aloud, renders, sentence
 from kernel.memory.lesson import LEARN
@@ -13,10 +14,9 @@ from kernel.memory.reply import Refused
 def refused(reply: Refused) -> Said:
     """ "I may not grab Mary: Freddy told me "never grab a person"." """
     lesson = reply.by
-    words = lesson.words.strip().rstrip(".!") or render(lesson.content, "teacher")
     who = f"{proper(lesson.teacher)} told me" if lesson.teacher else "I was told"
-    learning = any(t.lex == {LEARN} for t in reply.act if t.name == reply.act.main)
+    learning = reply.act.head is not None and reply.act.head.lex == {LEARN}
     act = "learn that" if learning else act_in_words(reply.act)
-    said = f"I may not {act}: {who} {literally(words)}"
+    said = f"I may not {act}: {who} {literally(exact_words(lesson))}"
     reasons = " and ".join(claim_in_words(graphlet) for graphlet in reply.because)
     return Said(sentence(f"{said}, and {reasons}" if reasons else said), aloud(said))

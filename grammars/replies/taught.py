@@ -31,7 +31,7 @@ def _told(reply: Taught) -> list[str]:
     if reply.noticed:
         return ["I noticed that myself"]
     about = reply.question.about
-    main = next((term for term in about if term.name == about.main), Term(about.main))
+    main = about.head or Term(about.main)
     if reply.born:
         return [f"I was born knowing how to {asked_act(about)}"]
     if main.kind != "act" or any(role == "agt" for role, _ in main.links):

@@ -8,17 +8,16 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
-from typing import Final
 
 from kernel.net.graphlet import Graphlet
-
-PAPER_TAGS: Final = ("NOTE", "DO", "ANTE", "POST", "CHK", "FIND", "ACH", "KEEP", "PUNT", "FCN")
-OUR_TAGS: Final = ("ADD", "ALLOW", "ASK", "EDIT", "EXCUSE", "STOP", "WAIT")
 
 
 @dataclass(frozen=True, slots=True)
 class Directive:
-    """A tag on a graphlet: DO[act-1 -lex- drive]. PUNT carries none."""
+    """A tag on a graphlet: DO[act-1 -lex- drive]. PUNT carries none.
+
+    What is carried out is a file in kernel/directives; ANTE, POST and ALLOW are tags of triggers alone.
+    """
 
     tag: str
     graphlet: Graphlet | None = None
@@ -36,6 +35,11 @@ class Play:
     required: tuple[Part, ...]
     auxiliary: tuple[Part, ...] = ()
 
+    @property
+    def only(self) -> Part | None:
+        """Its one part; None where there are several."""
+        return self.required[0] if len(self.required) == 1 and not self.auxiliary else None
+
 
 @dataclass(frozen=True, slots=True)
 class Chain:
@@ -51,6 +55,10 @@ class Chain:
                     yield part
                 else:
                     yield from part.directives()
+
+    def tagged(self, tag: str) -> list[Graphlet]:
+        """Graphlets of the directives with that tag, in reading order, however deep."""
+        return [d.graphlet for d in self.directives() if d.tag == tag and d.graphlet is not None]
 
     def graphlets(self) -> Iterator[Graphlet]:
         """Every graphlet in reading order, however deep: those of directives, and what loops ask for."""

@@ -64,7 +64,7 @@ def _by_person(asking: Asking) -> Lessons:
     """Lessons and facts of the session that one person taught."""
     memory = asking.commons.memory
     me = "me" in asking.main.lex
-    names = memory.user.lex - {"me"} if me else asking.main.lex
+    names = memory.speaker_names if me else asking.main.lex
     found = [
         lesson
         for lesson in reversed(list(asking.commons.lessons.values()))
@@ -79,11 +79,7 @@ def learned(asking: Asking) -> Lessons:
     person is named: everything in force that the person taught or told."""
     if asking.main.kind == "obj":
         return _by_person(asking)
-    offset_s = asking.asked.utc_offset_s
-    today = (asking.asked.at_s + offset_s) // 86_400
-    of_today = [
-        lesson
-        for lesson in reversed(asking.lessons)
-        if lesson.words and (lesson.at_s + offset_s) // 86_400 == today
-    ]
+    day = asking.commons.settings.day
+    today = day(asking.asked.at_s)
+    of_today = [x for x in reversed(asking.lessons) if x.words and day(x.at_s) == today]
     return Lessons(asking.question, tuple(of_today))

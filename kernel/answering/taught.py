@@ -30,7 +30,7 @@ def taught(asking: Asking) -> Taught:
         lessons = [lesson for lesson in lessons if prohibits(lesson)]
     if not lessons and not asking.main.negated:
         ways = asking.ways_to(act)
-        lessons = [lesson for lesson in ways if lesson.ident > 0]
+        lessons = list(filter(asking.was_taught, ways))
         if ways and not lessons:
             lessons = list(asking.aliases_of(asking.main.lex)) or _steps_of(asking, act)
             ordered = next((d.source for d in asking.deeds() if d.source), None)

@@ -9,6 +9,7 @@ from kernel.asking import Asking, answers
 from kernel.memory.explanation import Abilities, Allowed, Lessons, Taught
 from kernel.memory.inference import inferences
 from kernel.memory.lesson import Lesson, Operator
+from kernel.memory.recall import THINGS
 from kernel.memory.reply import Answer, Reply
 from kernel.net.graphlet import Graphlet
 
@@ -31,7 +32,7 @@ def how(asking: Asking) -> Reply:
     """The lessons that say how; or that it is a skill of the body."""
     act = asking.act
     ways = asking.ways_to(act) if act is not None else []
-    taught = tuple(lesson for lesson in ways if lesson.ident > 0)
+    taught = tuple(filter(asking.was_taught, ways))
     if not taught and (meant := asking.aliases_of(asking.main.lex)):
         return Lessons(asking.question, meant)
     if ways and not taught:
@@ -63,7 +64,7 @@ def happens(asking: Asking) -> Lessons:
         return Lessons(asking.question, tuple(found[::-1]))
     with asking.supposed(about) as binding:
         node = binding[about.main]
-        facts = tuple(n for n in binding.values() if n.kind not in ("obj", "user", "self"))
+        facts = tuple(n for n in binding.values() if n.kind not in THINGS)
         reactions = [choice.lesson for choice in asking.applicable("NOTE", node, facts)]
         for ordered in node.to("cmd"):  # "if Rick tells you to turn left"
             reactions += [choice.lesson for choice in asking.applicable("ANTE", ordered)]
@@ -92,7 +93,7 @@ def _around(asking: Asking, *tags: str) -> Lessons:
 
 def _said(about: Graphlet) -> str | None:
     """The words in "what happens when I say ..."."""
-    main = next((term for term in about if term.name == about.main), None)
+    main = about.head
     if main is None or not ("say" in main.lex or len(about.terms) == 1):
         return None
     return next((term.literal for term in about if term.literal), None)
@@ -103,7 +104,7 @@ def _is_called(lesson: Lesson, phrase: str) -> bool:
     if not isinstance(operator, Operator) or operator.trigger.graphlet is None:
         return False
     trigger = operator.trigger.graphlet
-    words = {word for term in trigger if term.name == trigger.main for word in term.lex}
+    words = trigger.head.lex if trigger.head is not None else ()
     return operator.trigger.tag == "DO" and phrase.lower() in words
 
 

@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import replace
 
-from kernel.memory.lesson import Rule
+from kernel.memory.lesson import Rule, graphlets
 from kernel.memory.notation import canonical
 from kernel.net.graphlet import Graphlet, Term
 
@@ -57,11 +57,10 @@ def chunk(first: Rule, second: Rule, same: Mapping[str, str]) -> Rule | None:
 
 def _names_for(first: Rule, second: Rule, same: Mapping[str, str]) -> dict[str, str]:
     """New names for those of the second rule: shared ones as in the first, the others unlike any there."""
-    graphlets = (first.condition, first.conclusion, *first.unless)
-    taken = {name for g in graphlets for name in g.mentioned}
+    taken = {name for g in graphlets(first) for name in g.mentioned}
     highest = max((int(name.rpartition("-")[2] or 0) for name in taken), default=0)
     names: dict[str, str] = dict(same)
-    for graphlet in (second.condition, second.conclusion, *second.unless):
+    for graphlet in graphlets(second):
         for name in sorted(graphlet.mentioned):
             if name not in names:
                 highest += 1
@@ -85,7 +84,7 @@ def _without_given(first: Rule, term: Term) -> Term:
     """The term without the words that the first rule, an alias, adds to it."""
     if term.name != first.conclusion.main or term.name not in first.condition.mentioned:
         return term
-    added = next((t.lex for t in first.conclusion.terms if t.name == term.name), frozenset())
+    added = first.conclusion.head.lex if first.conclusion.head is not None else frozenset()
     return replace(term, lex=term.lex - added)
 
 

@@ -41,7 +41,7 @@ def ended_by(fact: Graphlet, known: Container[str] = ()) -> Iterator[Graphlet]:
             comparison takes back nothing but its contrary.
     """
     yield fact.denied()
-    main = next((term for term in fact if term.name == fact.main), None)
+    main = fact.head
     if main is None or main.negated or [role for role, _ in main.links] != ["hq"]:
         return
     if not all(thing in known for _, thing in main.links):

@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterable
 from dataclasses import replace
 
 from kernel.action.chain import Chain, Directive, Loop, Part, Play
-from kernel.memory.lesson import Operator
+from kernel.memory.lesson import Operator, graphlets
 from kernel.memory.likeness import covers
 from kernel.memory.notation import mapped
 from kernel.net.graphlet import Graphlet, Term
@@ -16,7 +16,7 @@ ONE = frozenset(("one",))  # "the blue one": of whatever kind the other one is
 
 def with_other_step(operator: Operator, old: Graphlet, new: Chain) -> Operator | None:
     """The operator with `new` in the place of every step that the description `old` fits; None if none does."""
-    drawn = tuple(_graphlets(operator))
+    drawn = tuple(graphlets(operator))
     return _with(operator, lambda step: covers(old, drawn, step), new)
 
 
@@ -30,28 +30,27 @@ def with_other_end(operator: Operator, new: Chain) -> Operator | None:
 
 def with_more(operator: Operator, more: Chain, *, last: bool = False) -> Operator:
     """The operator with further steps at its beginning, or at its end."""
-    more = _fresh(more, _graphlets(operator))
+    more = _fresh(more, graphlets(operator))
     plays = (*operator.chain.plays, *more.plays) if last else (*more.plays, *operator.chain.plays)
     return replace(operator, chain=Chain(plays))
 
 
 def has_step(chain: Chain, old: Graphlet) -> bool:
     """Whether the description fits one of its steps."""
-    graphlets = [d.graphlet for d in chain.directives() if d.graphlet]
-    steps = [d.graphlet for d in chain.directives() if d.tag == "DO" and d.graphlet]
-    return any(covers(old, graphlets, step) for step in steps)
+    drawn = [d.graphlet for d in chain.directives() if d.graphlet]
+    return any(covers(old, drawn, step) for step in chain.tagged("DO"))
 
 
 def with_other_thing(chain: Chain, old: Graphlet | None, new: Graphlet) -> Chain | None:
     """The chain with another thing looked up in the place of the one that `old` describes, or of the last one."""
-    finds = [d.graphlet for d in chain.directives() if d.tag == "FIND" and d.graphlet]
+    finds = chain.tagged("FIND")
     if old is not None:
         wanted = _kindless(old)
         finds = [g for g in finds if covers(wanted, (g,), g)]
     if not finds:
         return None
     before = finds[-1]
-    renamed = _fresh_graphlet(new, _chain_graphlets(chain))
+    renamed = _fresh_graphlet(new, chain.graphlets())
     renamed = renamed.renamed({renamed.main: before.main})
     kinds = [t for t in before if any(role == "ako" for role, _ in t.links)]
     terms = [t for t in renamed if t.lex != ONE]
@@ -66,7 +65,7 @@ def _kindless(described: Graphlet) -> Graphlet:
 
 
 def _with(operator: Operator, is_old: Callable[[Graphlet], bool], new: Chain) -> Operator | None:
-    new = _fresh(new, _graphlets(operator))
+    new = _fresh(new, graphlets(operator))
     gone: list[Graphlet] = []
 
     def swap(directive: Directive) -> tuple[Part, ...] | None:
@@ -83,15 +82,14 @@ def _with(operator: Operator, is_old: Callable[[Graphlet], bool], new: Chain) ->
 def _parts(chain: Chain) -> Iterable[Part]:
     """A chain as what may stand in the place of one step."""
     for play in chain.plays:
-        yield play.required[0] if len(play.required) == 1 and not play.auxiliary else Chain((play,))
+        yield play.only or Chain((play,))
 
 
 def _mapped(chain: Chain, swap: Callable[[Directive], tuple[Part, ...] | None]) -> Chain:
     """The chain with directives replaced: in a play of their own by plays, beside others by a chain of their own."""
     plays: list[Play] = []
     for play in chain.plays:
-        alone = play.required[0] if len(play.required) == 1 and not play.auxiliary else None
-        swapped = swap(alone) if isinstance(alone, Directive) else None
+        swapped = swap(play.only) if isinstance(play.only, Directive) else None
         if swapped is not None:
             plays += [Play((part,)) for part in swapped]
             continue
@@ -119,8 +117,8 @@ def _beside(
 
 def _heir(new: Chain, old: Graphlet) -> Chain:
     """A single new step of the same verb keeps what it does not mention: whom the words are said to."""
-    steps = [d.graphlet for d in new.directives() if d.tag == "DO" and d.graphlet]
-    before = {t.name: t for t in old}.get(old.main)
+    steps = new.tagged("DO")
+    before = old.head
     if len(steps) != 1 or before is None:
         return new
     (step,) = steps
@@ -136,26 +134,13 @@ def _heir(new: Chain, old: Graphlet) -> Chain:
 def _pruned(chain: Chain, gone: list[Graphlet]) -> Chain:
     """Without the look-ups that only the steps that are gone needed."""
     was = {name for graphlet in gone for name in graphlet.mentioned}
-    finds = [d.graphlet for d in chain.directives() if d.tag == "FIND"]
+    finds = chain.tagged("FIND")
     needed = {name for g in chain.graphlets() if g not in finds for name in g.mentioned}
-    idle = {
-        d.graphlet.main
-        for d in chain.directives()
-        if d.tag == "FIND" and d.graphlet and d.graphlet.main in was - needed
-    }
+    idle = {g.main for g in finds if g.main in was - needed}
     return _mapped(
         chain,
         lambda d: () if d.tag == "FIND" and d.graphlet and d.graphlet.main in idle else None,
     )
-
-
-def _graphlets(operator: Operator) -> list[Graphlet]:
-    found = [operator.trigger.graphlet, *operator.enablement, *operator.unless]
-    return [g for g in found if g is not None] + _chain_graphlets(operator.chain)
-
-
-def _chain_graphlets(chain: Chain) -> list[Graphlet]:
-    return list(chain.graphlets())
 
 
 def _fresh(chain: Chain, taken: Iterable[Graphlet]) -> Chain:

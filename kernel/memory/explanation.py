@@ -71,12 +71,12 @@ class Knowledge:
 
 @dataclass(frozen=True, slots=True)
 class Lessons:
-    """Lessons that answer the question; about "today" where that was asked.
+    """Lessons that answer the question.
 
     revised: those of them whose words are but a correction of what was taught before.
     """
 
-    question: Question | None
+    question: Question
     lessons: tuple[Lesson, ...] = ()
     revised: tuple[Lesson, ...] = ()
 

@@ -113,7 +113,7 @@ def _aliases(
     if not by_alias:
         return
     known: dict[str, tuple[Lesson, ...]] = dict.fromkeys(node.lex, ())
-    aliases = [lesson for lesson in lessons.values() if is_alias(lesson)]
+    aliases = [x for x in lessons.values() if isinstance(x.content, Rule) and x.content.is_alias]
     for _ in range(2):  # the halo goes no deeper
         for lesson in aliases:
             rule = lesson.content
@@ -125,15 +125,3 @@ def _aliases(
         for lesson in known.get(word, ()):
             assert isinstance(lesson.content, Rule)
             yield Inference(lesson.content.conclusion, lesson)
-
-
-def is_alias(lesson: Lesson) -> bool:
-    """Its conclusion names the condition's main node again."""
-    rule = lesson.content
-    return (
-        isinstance(rule, Rule)
-        and rule.condition.main == rule.conclusion.main
-        and len(rule.condition.terms) == len(rule.conclusion.terms) == 1
-        and bool(rule.condition.words())
-        and bool(rule.conclusion.words())
-    )

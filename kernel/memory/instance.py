@@ -56,8 +56,8 @@ class Plan:
     def of(cls, rule: Rule) -> Plan:
         """Work it out."""
         condition, conclusion = rule.condition.mentioned, rule.conclusion
-        main = next((t.lex for t in conclusion.terms if t.name == conclusion.main), frozenset())
-        alias = tuple(sorted(main)) if conclusion.main in condition else ()
+        words = conclusion.head.lex if conclusion.head is not None else ()
+        alias = tuple(sorted(words)) if conclusion.main in condition else ()
         canon = canonical_names([conclusion])
         known = tuple(
             sorted((n for n in conclusion.mentioned if n in condition), key=canon.__getitem__)
@@ -233,9 +233,7 @@ def may_hold(graphlet: Graphlet, depth: int, known: Binding) -> bool:
     """A cheap look before matching: does anything within the depth say of a known thing what the main term says?"""
     if graphlet.main in known:
         return True
-    main = next((term for term in graphlet.terms if term.name == graphlet.main), None)
-    if main is None:
-        return True
+    main = graphlet.head
     for role, name in main.links:
         if (thing := known.get(name)) is not None:
             return any(

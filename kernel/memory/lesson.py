@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Final, Literal
 
@@ -27,6 +28,14 @@ class Rule:
     conclusion: Graphlet
     unless: tuple[Graphlet, ...] = ()
     belief: float = 1.0
+
+    @property
+    def is_alias(self) -> bool:
+        """Condition and conclusion name the same node and say nothing else."""
+        return self.condition.main == self.conclusion.main and all(
+            len(side.terms) == 1 and side.terms[0].lex and not side.terms[0].links
+            for side in (self.condition, self.conclusion)
+        )
 
 
 @dataclass(frozen=True, slots=True)
@@ -60,18 +69,26 @@ class Operator:
         return self.trigger.tag == "ANTE" and any(d.tag == "PUNT" for d in self.chain.directives())
 
     @property
-    def asks(self) -> tuple[Graphlet, ...]:
-        """Everything that has to hold for it to apply."""
-        trigger = self.trigger.graphlet
-        return self.enablement if trigger is None else (trigger, *self.enablement)
-
-    @property
     def forbids(self) -> bool:
         """It prohibits without looking first: no CHK stands before its PUNT."""
         return self.prohibits and not any(d.tag == "CHK" for d in self.chain.directives())
 
 
 Content = Rule | Operator | Graphlet  # a Graphlet is a fact
+
+
+def graphlets(content: Content) -> Iterator[Graphlet]:
+    """Every graphlet of it; what is done comes after what is asked for."""
+    match content:
+        case Graphlet():
+            yield content
+        case Rule(condition, conclusion, unless):
+            yield from (condition, conclusion, *unless)
+        case Operator():
+            yield from (*content.patterns, *content.unless)
+            yield from content.chain.graphlets()
+
+
 LessonKind = Literal[
     "procedure", "reaction", "before", "after", "prohibition", "permission", "rule", "alias", "fact"
 ]

@@ -1,6 +1,7 @@
 """How lessons compare: equal, contradicting, never to fire. Pure; all ours, the paper has no such thing.
 
-Small on purpose: what is found here is asked about, so it must be plain to a person that it is so.
+Small on purpose: what is found here is asked about, so it must be plain to a person that it is so. What was meant by a
+question is matched more leniently: kernel.memory.meant.
 """
 
 from __future__ import annotations
@@ -86,7 +87,7 @@ def _opposed(narrow: Rule, wide: Rule) -> bool:
 
 
 def _denies(conclusion: Graphlet) -> bool:
-    return any(term.negated for term in conclusion if term.name == conclusion.main)
+    return conclusion.head is not None and conclusion.head.negated
 
 
 def _forbidden_and_permitted(one: Operator, other: Operator) -> bool:
@@ -98,7 +99,7 @@ def _forbidden_and_permitted(one: Operator, other: Operator) -> bool:
 def _opposite_reactions(one: Operator, other: Operator) -> bool:
     if not (one.trigger.tag == other.trigger.tag == "NOTE" and _when(one) == _when(other)):
         return False
-    deeds = [_acts(operator.chain) for operator in (one, other)]
+    deeds = [operator.chain.tagged("DO") for operator in (one, other)]
     if len(deeds[0]) != 1 or len(deeds[1]) != 1:
         return False
     (mine,), (others,) = deeds
@@ -109,10 +110,6 @@ def _opposite_reactions(one: Operator, other: Operator) -> bool:
 def _when(operator: Operator) -> Operator:
     """Trigger and conditions alone."""
     return plain(replace(operator, trigger=replace(operator.trigger, tag=""), chain=Chain()))
-
-
-def _acts(chain: Chain) -> list[Graphlet]:
-    return [d.graphlet for d in chain.directives() if d.tag == "DO" and d.graphlet]
 
 
 Never = Literal["both", "always_excepted", "only_itself", "denies_itself", "nothing_new"]
@@ -174,7 +171,7 @@ def _only_itself(operator: Operator) -> Never | None:
     trigger = operator.trigger.graphlet
     if operator.trigger.tag != "DO" or trigger is None:
         return None
-    acts = _acts(operator.chain)
+    acts = operator.chain.tagged("DO")
     return "only_itself" if acts and all(covers(trigger, (act,), act) for act in acts) else None
 
 
@@ -198,8 +195,8 @@ def covering(
 
 def _same_words(pattern: Graphlet, other: Graphlet) -> bool:
     """A quick no: the words of the main nodes."""
-    wanted, there = ({t.name: t.lex for t in g.terms}.get(g.main) for g in (pattern, other))
-    return wanted is None or there is None or wanted <= there
+    wanted, there = pattern.head, other.head
+    return wanted is None or there is None or wanted.lex <= there.lex
 
 
 def _drawn(graphlets: Iterable[Graphlet]) -> tuple[Net, Binding]:

@@ -1,4 +1,8 @@
-"""Whether what was done is what was asked about, and which known things a description means."""
+"""What a person means: whether an act that was done is the one asked about, and which known things are spoken of.
+
+It is lenient, as answers are: near words count as the same. How lessons compare (equal, contradicting), where nothing
+may be guessed, is kernel.memory.likeness.
+"""
 
 from __future__ import annotations
 
@@ -47,8 +51,8 @@ def is_like(asked: Graphlet, done: Graphlet) -> bool:
 
 def verb(act: Graphlet) -> frozenset[str]:
     """What an act is called, by the word that stands for its like; empty for any act."""
-    lex = next((term.lex for term in act if term.name == act.main), frozenset[str]())
-    return frozenset(_ONE_FOR_ALL.get(word, word) for word in lex)
+    words = act.head.lex if act.head is not None else ()
+    return frozenset(_ONE_FOR_ALL.get(word, word) for word in words)
 
 
 def synonyms(verbs: frozenset[str]) -> frozenset[str]:
@@ -58,7 +62,8 @@ def synonyms(verbs: frozenset[str]) -> frozenset[str]:
 
 def _plain(act: Graphlet) -> Graphlet:
     """Without agent, polarity, belief and reference; every word by the one that stands for its like."""
-    agents = {other for t in act if t.name == act.main for role, other in t.links if role == "agt"}
+    links = act.head.links if act.head is not None else ()
+    agents = {other for role, other in links if role == "agt"}
     terms = []
     for term in act:
         if term.name in agents and term.lex & {"you"}:
@@ -77,7 +82,7 @@ def grounded(described: Graphlet, memory: WorkingMemory) -> Binding:
     binding = memory.persons(described, {})
     for name in sorted(described.mentioned - {described.main}):
         said = description(described, name)
-        main = next((term for term in said if term.name == name), Term(name))
+        main = said.head or Term(name)
         known = bool(main.lex) or (main.ref in _REFERRING and len(said.terms) > 1)
         if name in binding or not known:
             continue

@@ -7,7 +7,7 @@ from dataclasses import replace
 from typing import Any, TypeVar
 
 from kernel.action.chain import Chain, Directive, Loop, Part, Play, sequence
-from kernel.memory.lesson import Content, Operator, Rule
+from kernel.memory.lesson import Content, Operator, Rule, graphlets
 from kernel.memory.meaning import (
     Choice,
     Command,
@@ -96,16 +96,7 @@ def read_chain(text: str) -> Chain:
 
 
 def _graphlets(content: Written) -> Iterator[Graphlet]:
-    match content:
-        case Graphlet():
-            yield content
-        case Rule(condition, conclusion, unless):
-            yield from (condition, conclusion, *unless)
-        case Operator(trigger, chain, enablement, unless):
-            yield from (g for g in (trigger.graphlet, *enablement, *unless) if g)
-            yield from _graphlets(chain)
-        case Chain():
-            yield from content.graphlets()
+    return content.graphlets() if isinstance(content, Chain) else graphlets(content)
 
 
 def _renamed(content: W, names: dict[str, str]) -> W:
@@ -261,9 +252,8 @@ def _directive_lines(directive: Directive) -> list[str]:
 def _chain_lines(chain: Chain) -> list[str]:
     lines: list[str] = []
     for play in chain.plays:
-        alone = len(play.required) == 1 and not play.auxiliary
-        if alone and not isinstance(play.required[0], Chain):
-            lines += _part_lines(play.required[0])
+        if play.only is not None and not isinstance(play.only, Chain):
+            lines += _part_lines(play.only)
             continue
         inner = [line for part in play.required for line in _part_lines(part)]
         if play.auxiliary:

@@ -79,5 +79,5 @@ def _keys(tag: str, graphlet: Graphlet) -> list[str]:
             return []
         terms = [term for term in graphlet.terms if term.lex]
     else:
-        terms = [t for t in graphlet.terms if t.name == graphlet.main and t.lex]
+        terms = [graphlet.head] if graphlet.head is not None and graphlet.head.lex else []
     return [max(term.lex, key=lambda word: (len(word), word)) for term in terms]

@@ -162,10 +162,6 @@ class Policy:
         """Newest first, those taken back as well."""
         return reversed(self._changes.values())
 
-    def teaching(self, lesson: Lesson) -> Change | None:
-        """The change that taught the lesson."""
-        return self._changes.get(self._learned_by.get(lesson.ident, 0))
-
     def _file(self, change: Change) -> Iterable[int]:
         for lesson in change.learned:
             self._known[lesson.ident] = lesson

@@ -76,7 +76,7 @@ def may_assume(graphlet: Graphlet, later: Sequence[Directive]) -> bool:
 
     A pronoun stands for something known.
     """
-    main = next((t for t in graphlet.terms if t.name == graphlet.main), None)
+    main = graphlet.head
     described = any(t.name != graphlet.main for t in graphlet.terms) or bool(main and main.lex)
     if not described and main is not None and main.ref:
         return False
@@ -92,7 +92,7 @@ def missing(find: Directive) -> str:
     """Words for what was looked for."""
     if find.graphlet is None:
         return ""
-    main = next((t for t in find.graphlet.terms if t.name == find.graphlet.main), None)
+    main = find.graphlet.head
     kinds = sorted(w for t in find.graphlet.terms if t.kind == "ako" for w in t.lex)
     names = sorted(main.lex) if main else []
     return " ".join(names or kinds) or (main.ref if main else "") or "it"
@@ -151,7 +151,7 @@ def now_so(
 
     if (so := found(graphlet)) is not None:
         return so
-    denied = any(term.negated for term in graphlet.terms if term.name == graphlet.main)
+    denied = graphlet.head is not None and graphlet.head.negated
     return {} if denied and found(graphlet.denied()) is None else None
 
 
@@ -170,7 +170,7 @@ def answer(
     """What memory has to say to a question about what is so. use: told of every match that the answer rests on."""
     about = question.about
     if question.topic == "identity":
-        names = memory.user.lex - {"me"}
+        names = memory.speaker_names
         return Answer(
             question, "found" if names else "unknown", (describe(memory.user),) * bool(names)
         )

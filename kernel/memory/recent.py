@@ -1,4 +1,5 @@
-"""What "that" means to a person who praises, corrects, repeats or undoes (all ours)."""
+"""What the talk was about last (all ours): what "that" means to a person who praises, corrects, repeats or undoes, how
+a fact was told, and the doubt about a lesson that a person is asked to settle."""
 
 from __future__ import annotations
 
@@ -28,8 +29,8 @@ class Saying:
 
 
 @dataclass(slots=True, eq=False)
-class Asked:
-    """A question that the robot has put and that is open: what to do with a lesson.
+class Doubt:
+    """What to do with a lesson: the robot has asked, and the question is open.
 
     Attributes:
         until_s: it is closed then.

@@ -179,10 +179,9 @@ class LessonDropped:
 
 @dataclass(frozen=True, slots=True)
 class Revised:
-    """One lesson took the place of others."""
+    """The lesson took the place of another."""
 
     lesson: Lesson
-    old: tuple[Lesson, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)

@@ -112,10 +112,6 @@ class RuleBook:
         content = _bare(rule)
         return content not in self._contents and content not in self._unwanted
 
-    def made_from(self, ident: int) -> list[Lesson]:
-        """Rules in force that the robot made from this one."""
-        return [r.lesson for r in self._by_lesson.values() if ident in r.lesson.origins]
-
     def candidates(self, net: Net) -> Iterator[tuple[Lesson, Rule]]:
         """Rules that might fire on what the net holds, in the order they were taught."""
         for found in sorted(self._index.possible(net), key=lambda r: r.order):

@@ -3,6 +3,9 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Final
+
+DAY_S: Final = 86_400
 
 
 @dataclass(frozen=True, slots=True)
@@ -15,13 +18,12 @@ class Settings:
         prohibition_threshold: the same for prohibitions (caution); permission_threshold for permissions.
         least_preference: operators below it are not considered, unless the robot is desperate.
         sharpness: exponent on preference when choosing.
-        owner: name of who may lift, forget and undo anybody's prohibitions, lower case; "" for no owner: anybody may.
+        owner: name of who, beside its teacher, may lift, forget and undo a prohibition; "" for no owner: anybody may.
         praise_step, blame_step: how far one word of praise or blame moves a preference.
         failure_step: how far it falls when the operator failed and another one succeeded.
         recovery_step: how far a lowered one rises with each success, up to the taught one.
         belief_step: how far a rule's belief moves when a person confirms or contradicts what it concluded.
         fade_s: how long a handled focus stays in attention, s.
-        owner: name of the person who may also forget, undo and permit what others forbade; "" for nobody.
         depth: operators within operators that are carried out; one more fails and is told.
         utc_offset_s: how far the clock on the wall is ahead of UTC, s: what "today" is.
     """
@@ -41,3 +43,7 @@ class Settings:
     failure_step: float = 0.1
     recovery_step: float = 0.05
     belief_step: float = 0.1
+
+    def day(self, at_s: float) -> int:
+        """Number of the day on the wall on which that is; at_s: s since 1970."""
+        return int((at_s + self.utc_offset_s) // DAY_S)

@@ -18,7 +18,7 @@ SEEKING_VERBS: Final = frozenset(("find", "look for", "search for"))
 
 def is_thing(graphlet: Graphlet) -> bool:
     """Whether a thing is described; else what is looked for is a quality, kind or place: "what color it is"."""
-    main = next((t for t in graphlet.terms if t.name == graphlet.main), None)
+    main = graphlet.head
     return main is None or main.kind in THINGS
 
 

@@ -283,12 +283,14 @@ class WorkingMemory:
         self.user = person
         self.changed()
 
+    @property
+    def speaker_names(self) -> frozenset[str]:
+        """What the current user is called; empty where nobody knows."""
+        return frozenset(self.user.lex - {"me"})
+
     def _called(self, name: str) -> list[Node]:
-        return [
-            node
-            for node in self.net.with_word(name)
-            if node.kind in ("obj", "user") and node.level != HYPOTHETICAL
-        ]
+        found = [node for node in self.net.with_word(name) if node.kind in ("obj", "user")]
+        return [node for node in found if node.level != HYPOTHETICAL]
 
     @property
     def depth(self) -> int:

@@ -63,6 +63,11 @@ class Graphlet:
         raise KeyError(name)
 
     @property
+    def head(self) -> Term | None:
+        """Its main term, where it is described here."""
+        return next((term for term in self.terms if term.name == self.main), None)
+
+    @property
     def names(self) -> frozenset[str]:
         """Names described here, without those only linked to."""
         return frozenset(term.name for term in self.terms)

@@ -108,7 +108,7 @@ class Watched:
         assert all(begun.get(bid.ticket, 0) not in old for bid in out.speech), "it speaks on"
         assert all(focus.ended_s is not None for focus in before), "it goes on after a stop"
         assert all(doing.focus not in before for doing in commons.doing)
-        for open_question in (commons.asking, commons.asked):
+        for open_question in (commons.which, commons.doubt):
             assert open_question is None or open_question.focus not in old
         assert not self.robot.body.state.moving
 
@@ -175,7 +175,7 @@ class Watched:
             own = [f for f, _ in commons.pending.values()]
             assert "store" not in waits or own, "it waits for a store that owes no answer"
             if "answer" in waits:
-                assert commons.asking or commons.asked, "it waits for an answer to no question"
+                assert commons.which or commons.doubt, "it waits for an answer to no question"
             thinks = self._thinking.get(focus.number, 0) + 1 if waits == {"next tick"} else 0
             self._thinking[focus.number] = thinks
             assert thinks < MOST_TICKS_OF_THOUGHT, f"{focus.words!r} comes to no end"
@@ -195,7 +195,7 @@ class Watched:
         assert len(commons.policy._retired) <= RETIRED_KEPT
         assert len(commons.struck) <= MOST_FOCI
         active = any(focus.ended_s is None for focus in mind.foci)
-        assert active or not (commons.doing or commons.asking or commons.asked)
+        assert active or not (commons.doing or commons.which or commons.doubt)
 
 
 def policy(mind: Mind) -> dict[int, tuple[Lesson, str, float]]:

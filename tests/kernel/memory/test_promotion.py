@@ -140,7 +140,7 @@ def test_two_used_steps_are_kept_as_a_rule_of_its_own_without_a_word(robot: Any)
     assert (made.origins, made.words, made.teacher) == ((first.ident, second.ident), "", "")
     assert not any(isinstance(reply, LessonTaken) for reply in robot.replies[before:])
     assert [r.data["ident"] for r in robot.records("lesson")][-1] == made.ident
-    assert robot.mind.memory.rules.made_from(first.ident) == [made]
+    assert [x for x in robot.mind.policy if first.ident in x.origins] == [made]
 
 
 def test_what_was_forgotten_is_not_made_again(robot: Any) -> None:

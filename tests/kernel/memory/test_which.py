@@ -2,7 +2,7 @@
 
 import pytest
 
-from kernel.memory.asking import equal_best
+from kernel.memory.which import equal_best
 from kernel.net.graphlet import Graphlet, Term
 from kernel.net.node import Net, Node
 

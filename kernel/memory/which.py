@@ -1,4 +1,8 @@
-"""The robot's open question: which of the things that fit equally well is meant."""
+"""Which of the things that fit equally well is meant: a question that the robot puts to a person.
+
+The other one that it puts, what to do with a doubtful lesson, is kernel.memory.recent.Doubt; questions of a person's
+about the robot are kernel.asking's.
+"""
 
 from __future__ import annotations
 
@@ -17,13 +21,15 @@ _DESCRIBING: Final = ("ako", "hq", "loc", "own", "sub")
 
 
 @dataclass(slots=True, eq=False)
-class Asking:
-    """Attributes:
-    focus: number of the focus that waits for the answer.
-    question: as it was put.
-    things: those it asks about, in the question's order.
-    until_s: when waiting ends.
-    chosen: the answer.
+class Which:
+    """The question while it is open.
+
+    Attributes:
+        focus: number of the focus that waits for the answer.
+        question: as it was put.
+        things: those it asks about, in the question's order.
+        until_s: when waiting ends.
+        chosen: the answer.
     """
 
     focus: int
@@ -50,7 +56,7 @@ def equal_best(
         options: what fits it.
         rank: number of the newest focus that mentions a thing, 0 where it is no longer in attention.
     """
-    main = next((t for t in graphlet.terms if t.name == graphlet.main), None)
+    main = graphlet.head
     if main is None or main.ref != "the" or len(options) < 2:
         return ()
     things = [option[graphlet.main] for option in options]
@@ -60,7 +66,7 @@ def equal_best(
     return equal if len(equal) > 1 and len(told_apart) == len(equal) else ()
 
 
-def which(graphlet: Graphlet, things: Sequence[Node]) -> AskWhich:
+def ask_which(graphlet: Graphlet, things: Sequence[Node]) -> AskWhich:
     """The question as a reply."""
     return AskWhich(graphlet, tuple(describe(node, depth=REMEMBERED) for node in things))
 
