@@ -234,6 +234,8 @@ def may_hold(graphlet: Graphlet, depth: int, known: Binding) -> bool:
     if graphlet.main in known:
         return True
     main = graphlet.head
+    if main is None:
+        return True
     for role, name in main.links:
         if (thing := known.get(name)) is not None:
             return any(
