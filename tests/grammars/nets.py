@@ -306,8 +306,12 @@ def _reaction(draft: Draft) -> Meaning:
 
 def _trust(draft: Draft) -> Meaning:
     act = draft.add("act") if draft.maybe() else draft.action(pattern=True)
-    named = bool(draft.names) and draft.maybe()  # not Mary if the act is about her
-    boss = draft.add("obj", draft.one_of(*draft.names)) if named else draft.thing("a", deep=False)
+    if draft.names and draft.maybe():
+        name = draft.one_of(*draft.names)
+        draft.names.remove(name)  # whoever is named again later is the same node
+        boss = draft.add("obj", name)
+    else:
+        boss = draft.thing("a", deep=False)
     draft.add("act", "tell", agt=boss, dest=draft.oneself("you"), cmd=act)
     trigger = draft.graphlet(act)
     punt = Directive("PUNT")
