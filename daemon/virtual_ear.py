@@ -18,7 +18,7 @@ from daemon.understanding import understand
 from grammars.finite_state import automaton
 from grammars.vocabulary import Vocabulary
 from kernel.memory.meaning import Utterance
-from kernel.memory.reply import AskWhich
+from kernel.memory.reply import AskKeep, AskWhich
 
 MODELS: Final = "models"  # folder of installed models, in the user's data directory
 
@@ -57,7 +57,7 @@ class VirtualEar:
         return self._engine.name
 
     def hear(
-        self, path: Path, vocabulary: Vocabulary, expecting: AskWhich | None = None
+        self, path: Path, vocabulary: Vocabulary, expecting: AskWhich | AskKeep | None = None
     ) -> Recorded:
         """Hear a recording, knowing these words and the robot's open question.
 

@@ -12,7 +12,7 @@ from datetime import UTC, date, datetime
 from kernel.action.step import Run
 from kernel.action.verdict import Verdict
 from kernel.commons import Commons
-from kernel.memory.attention import Failure, Focus
+from kernel.memory.attention import Focus
 from kernel.memory.change import LEAST, SESSION, Adapted, Change
 from kernel.memory.lesson import INNATE, Lesson, Operator
 from kernel.memory.likeness import covers
@@ -81,6 +81,10 @@ def _take_back(commons: Commons, focus: Focus, change: Change) -> Run:
     if shift == Shift():
         commons.replies.append(NothingToDo("undo"))
         return Verdict.SUCCEEDED
+    for lesson in shift.entered:  # what they may not permit they may not bring back
+        if (veto := commons.lifted(focus.by, lesson.content)) is not None:
+            focus.failure = commons.not_yours(veto)
+            return Verdict.FAILED
     chunks = with_chunks(commons, shift.left)[len(shift.left) :]
     change = replace(change, retracted=tuple(chunk.ident for chunk in chunks))
     if not (yield from changed(commons, focus, change, shift.left)):
@@ -118,7 +122,7 @@ def changed(
     """Make a change that takes these lessons out of force; False, with the reason, where the speaker may not."""
     for lesson in leaving:
         if not commons.may(focus.by, lesson):
-            focus.failure = Failure("not_yours", None, lesson.teacher)
+            focus.failure = commons.not_yours(lesson)
             return False
     return (yield from commons.commit(focus, change))
 
