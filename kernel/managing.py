@@ -34,7 +34,8 @@ def undo(commons: Commons, focus: Focus) -> Run:
     for change in list(commons.policy.changes()):
         if not change.own and commons.policy.counts(change.ident):
             taking = replace(focus.changing(), undone=_undoing(commons, change))
-            if change.adapted or commons.policy.preview(taking) != Shift():
+            resting = commons.policy.beyond(taking)
+            if change.adapted or resting or commons.policy.preview(taking) != Shift():
                 return (yield from _take_back(commons, focus, taking))
     commons.replies.append(NothingToDo("undo"))
     return Verdict.SUCCEEDED
@@ -78,7 +79,7 @@ def _day(at_s: float, offset_s: float) -> date:
 def _take_back(commons: Commons, focus: Focus, change: Change) -> Run:
     change = replace(change, adapted=_amends(commons, change))
     shift = commons.policy.preview(change)
-    if shift == Shift():
+    if shift == Shift() and not commons.policy.beyond(change):
         commons.replies.append(NothingToDo("undo"))
         return Verdict.SUCCEEDED
     for lesson in shift.entered:  # what they may not permit they may not bring back
@@ -169,7 +170,7 @@ def _by_number(commons: Commons, focus: Focus, numbers: tuple[int, ...]) -> Run:
     change = replace(focus.changing(), retracted=tuple(retracted))
     if not (yield from changed(commons, focus, change, gone)):
         return Verdict.FAILED
-    commons.replies.append(Forgotten(tuple(found)))
+    commons.replies.append(Forgotten(tuple(found), resting=len(wanted) - len(found)))
     return Verdict.SUCCEEDED
 
 

@@ -188,10 +188,14 @@ class Revised:
 
 @dataclass(frozen=True, slots=True)
 class Forgotten:
-    """Lessons taken out of force. about: the act or thing they were asked for by; none: there was nothing to forget."""
+    """Lessons taken out of force. about: the act or thing they were asked for by; none: there was nothing to forget.
+
+    resting: how many besides, which were not in force and which only the store can read.
+    """
 
     lessons: tuple[Lesson, ...]
     about: Graphlet | None = None
+    resting: int = 0
 
 
 @dataclass(frozen=True, slots=True)

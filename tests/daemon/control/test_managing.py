@@ -93,6 +93,22 @@ class TestLessons:
         assert answers[2]["notation"]
         assert (answers[1]["words"], answers[1]["why"] != "") == ("to zorp, turn left", True)
 
+    def test_what_rests_can_be_forgotten_and_brought_back(self, folder: Path) -> None:
+        taught(*THREE)
+        store = Store.open(folder / "lessons.sqlite")
+        store._db.execute("UPDATE lesson SET notation = '' WHERE ident = 2")
+        store.close()
+        for command, standing in (
+            (("forget", "2"), "taken back"),
+            (("undo",), "rests"),
+            (("undo",), "taken back"),
+        ):
+            assert call(*command).exit_code == 0
+            assert call("lessons", "--all").exit_code == 0
+            lines = call("lessons", "--all", "--json").stdout.splitlines()
+            found = [json.loads(line)["standing"] for line in lines]
+            assert found == ["in force", standing, "in force"]
+
     def test_a_strength_that_moved_and_what_it_made_itself(self, folder: Path) -> None:
         taught("to zorp, you could turn left")
         store = Store.open(folder / "lessons.sqlite")
@@ -161,6 +177,13 @@ class TestForget:
     def test_words_are_said(self, words: tuple[str, ...], said: str) -> None:
         taught(*THREE)
         assert f"heard       {said}\n" in call("forget", *words).stdout
+
+
+def test_what_nobody_is_left_to_answer_ends_as_without_an_answer() -> None:
+    taught("never lift a cup")
+    result = call("say", "you may lift a cup")
+    assert (result.exit_code, "Okay. I may lift a cup." in result.stdout) == (0, True)
+    assert in_force() == ["never lift a cup", "you may lift a cup"]
 
 
 @pytest.mark.parametrize(
