@@ -69,7 +69,7 @@ def forget(what: tuple[str, ...], speaker: str, config_file: Path | None) -> Non
     """
     numbers = _numbers(what)
     said = common.text_argument(" ".join(what))
-    if not said.lower().startswith("forget"):
+    if said.lower().split()[0] != "forget":
         said = f"forget {said}"
     with common.reached(config_file) as robot:
         if numbers:
