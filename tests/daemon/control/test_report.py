@@ -7,7 +7,9 @@ from daemon.events import Replied, SayStarted, as_dict
 
 
 def test_an_answer_is_told_with_the_reply_and_not_again_with_the_voice() -> None:
-    reply = Replied(t=1.0, kind="Answer", shown='I was told "no".', spoken="I was told no.", ok=True)
+    reply = Replied(
+        t=1.0, kind="Answer", shown='I was told "no".', spoken="I was told no.", ok=True
+    )
     assert line(as_dict(reply)) == 'said        I was told "no".'
     assert line(as_dict(SayStarted(t=1.1, text="I was told no.", told=True))) is None
     assert line(as_dict(SayStarted(t=1.1, text="hello"))) == "said        hello"
