@@ -59,9 +59,10 @@ class Question(Event):
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class SayStarted(Event):
-    """The voice begins."""
+    """The voice begins. told: what it says was told before, as a reply or as what was not understood."""
 
     text: str
+    told: bool = False
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -20,6 +20,8 @@ from daemon.parts import assemble_virtual
 from daemon.store import Store
 from daemon.understanding import forgetting
 from kernel.memory.meaning import Utterance
+from kernel.memory.recent import PATIENCE_S
+from kernel.memory.reply import AskKeep
 
 STEP_S: Final = 1 / 30
 CONNECT_S: Final = 3.0
@@ -106,7 +108,10 @@ class Here(Closing):
         return self._following.outcome if self._parts.cycle.settled else "running"
 
     def close(self) -> None:
-        """Stop and close."""
+        """Stop and close; nobody is left to answer what was asked, so that ends as it does without an answer."""
+        mind = self._parts.cycle.mind
+        if isinstance(mind.expecting, AskKeep):
+            self._run(lambda: mind.expecting is None and self._parts.cycle.settled, 2 * PATIENCE_S)
         self.store.close()
 
     def _run(self, until: Callable[[], bool], at_most_s: float) -> None:

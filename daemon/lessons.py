@@ -60,6 +60,14 @@ class Row(msgspec.Struct, frozen=True, kw_only=True):
         return Lesson(self.ident, kind, content, self.words, self.teacher, self.at_s, self.origins)
 
     @property
+    def taught(self) -> float:
+        """The strength it was taught with; as it is now where the notation cannot be read."""
+        try:
+            return self.lesson.strength
+        except NotationError:
+            return self.strength
+
+    @property
     def text(self) -> str:
         """The lesson in English, in the teacher's voice; his words where the net cannot be read."""
         try:

@@ -20,7 +20,7 @@ from daemon.understanding import understand
 from grammars.finite_state import automaton
 from grammars.vocabulary import Vocabulary
 from kernel.memory.meaning import Utterance
-from kernel.memory.reply import AskWhich
+from kernel.memory.reply import AskKeep, AskWhich
 
 QUIET_S: Final = 0.1
 BEFORE_S: Final = (
@@ -47,7 +47,7 @@ class Listening:
         engine: Engine,
         vocabulary: Vocabulary,
         perceive: Callable[[HearingEvent], None],
-        expecting: Callable[[], AskWhich | None],
+        expecting: Callable[[], AskWhich | AskKeep | None],
     ) -> None:
         self._expecting = expecting
         self._engine, self._vocabulary, self._perceive = engine, vocabulary, perceive

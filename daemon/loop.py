@@ -175,7 +175,7 @@ class Cycle:
         if understanding.error is not None:
             said = say(understanding.error)
             self._emit(events.NotUnderstood(t=self.now_s, text=text, reason=said.shown))
-            self._speech.add(said.spoken)
+            self._speech.add(said.spoken, told=True)
         if (heard := understanding.heard) is None:
             return
         self._emit(
@@ -248,7 +248,7 @@ class Cycle:
             for event in from_reply(reply, said, now_s):
                 self._emit(event)
             if said.spoken and not (self.hushing and isinstance(reply, LessonTaken | FactTaken)):
-                self._speech.add(said.spoken)
+                self._speech.add(said.spoken, told=True)
         for bid in outputs.speech:
             self._speech.add(getattr(bid.command, "text", ""), bid.ticket)
         self._watch_pose(now_s, told=moved)

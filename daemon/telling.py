@@ -151,7 +151,7 @@ def _unanswered(reply: Reply) -> bool:
 
 def _in_vain(reply: Reply) -> bool:
     """There was nothing to forget."""
-    return isinstance(reply, Forgotten) and not reply.lessons
+    return isinstance(reply, Forgotten) and not (reply.lessons or reply.resting)
 
 
 def _number(value: object) -> int:

@@ -11,7 +11,7 @@ from grammars.parse import parse
 from grammars.render import render
 from grammars.vocabulary import Vocabulary
 from kernel.memory.meaning import Command, Control, Feedback, Heard, Meaning, Revision, Utterance
-from kernel.memory.reply import AskWhich
+from kernel.memory.reply import AskKeep, AskWhich
 
 STOP_WORDS: Final = frozenset({"stop", "halt", "freeze"})
 BESIDE_STOP: Final = frozenset({"robot", "sayso", "please", "now", "hey"})
@@ -82,7 +82,7 @@ class Understanding:
 
 
 def understand(
-    utterance: Utterance, vocabulary: Vocabulary, expecting: AskWhich | None = None
+    utterance: Utterance, vocabulary: Vocabulary, expecting: AskWhich | AskKeep | None = None
 ) -> Understanding:
     """Parse it. Hearing has chosen among its alternatives before. May run in any thread.
 

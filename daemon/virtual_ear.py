@@ -16,7 +16,7 @@ from daemon.understanding import understand
 from grammars.finite_state import automaton
 from grammars.vocabulary import Vocabulary
 from kernel.memory.meaning import Utterance
-from kernel.memory.reply import AskWhich
+from kernel.memory.reply import AskKeep, AskWhich
 
 
 @dataclass(frozen=True, slots=True)
@@ -51,7 +51,7 @@ class VirtualEar(Closing):
         return self._engine.name
 
     def hear(
-        self, path: Path, vocabulary: Vocabulary, expecting: AskWhich | None = None
+        self, path: Path, vocabulary: Vocabulary, expecting: AskWhich | AskKeep | None = None
     ) -> Recorded:
         """Hear a recording, knowing these words and the robot's open question.
 

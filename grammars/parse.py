@@ -28,8 +28,8 @@ from grammars.normalise import pieces
 from grammars.reading import BrokenOffError, Parsed, Reader
 from grammars.source import grammar_text
 from grammars.vocabulary import BORN, Vocabulary, lines, set_phrases
-from kernel.memory.meaning import Choice
-from kernel.memory.reply import AskWhich
+from kernel.memory.meaning import Choice, Control, Meaning
+from kernel.memory.reply import AskKeep, AskWhich
 
 MOST_WORDS: Final = 60
 MOST_LETTERS: Final = 1000
@@ -235,14 +235,18 @@ def closed_words() -> frozenset[str]:
     return frozenset(grammar().literal)
 
 
-def fits(choice: Choice, question: AskWhich) -> bool:
-    """Whether an answer uses no other words than describe what the question asks about."""
+def fits(answer: Meaning, question: AskWhich | AskKeep) -> bool:
+    """Whether it answers that: "no" to a doubt; to "which one?", no other words than describe what is asked about."""
+    if isinstance(question, AskKeep) or not isinstance(answer, Choice):
+        return isinstance(question, AskKeep) and isinstance(answer, Control)
     offered = {word for option in question.options for word in option.words()}
-    said = choice.described.words()
+    said = answer.described.words()
     return bool(said) and said <= offered
 
 
-def parse(text: str, vocabulary: Vocabulary = BORN, expecting: AskWhich | None = None) -> Parsed:
+def parse(
+    text: str, vocabulary: Vocabulary = BORN, expecting: AskWhich | AskKeep | None = None
+) -> Parsed:
     """What a sentence means.
 
     Args:
@@ -262,7 +266,7 @@ def parse(text: str, vocabulary: Vocabulary = BORN, expecting: AskWhich | None =
     if expecting is not None:
         answers = partial(grammar().forest, symbol="expected")
         for reading in Reader(text, lexer, answers, grammar().cost).read(found):
-            if isinstance(reading.meaning, Choice) and fits(reading.meaning, expecting):
+            if fits(reading.meaning, expecting):
                 return reading
     reader = Reader(text, lexer, grammar().forest, grammar().cost)
     strange = [at for at, piece in enumerate(found) if reader.lexer.strange(piece)]

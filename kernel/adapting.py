@@ -65,14 +65,18 @@ def ended(
         _adapt(commons, focus, moves)
 
 
-def feedback(commons: Commons, focus: Focus, *, good: bool) -> Run:
-    """Praise or blame the operator of the last deed, and answer; a person's change, so it can be undone."""
+def feedback(commons: Commons, focus: Focus, *, good: bool, answered: bool = False) -> Run:
+    """Praise or blame the operator of the last deed, and answer; a person's change, so it can be undone.
+
+    answered: it was a stop as well, and the robot has said that it stopped.
+    """
     lesson = blamed = commons.recent.deed
     if lesson is not None and adapts(lesson) and lesson.ident in commons.lessons:
         yield from commons.commit(focus, feedback_change(commons, focus, lesson, good=good))
     else:
         blamed = None
-    commons.replies.append(FeedbackTaken(good, blamed))
+    if not answered:
+        commons.replies.append(FeedbackTaken(good, blamed))
     return Verdict.SUCCEEDED
 
 

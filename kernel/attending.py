@@ -169,8 +169,8 @@ def _content(mind: Listener, commons: Commons, focus: Focus, heard: Heard) -> Ru
             commons.replies.append(Met(name))
         case Social() as social:
             commons.replies.append(Greeted(social, mind.speaker))
-        case Feedback(good):
-            return (yield from adapting.feedback(commons, focus, good=good))
+        case Feedback(good, stop):
+            return (yield from adapting.feedback(commons, focus, good=good, answered=stop))
         case Control() as control:
             return (yield from _control(mind, commons, focus, control))
         case Revision() as revision:

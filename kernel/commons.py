@@ -13,7 +13,8 @@ from kernel.action.trace import Record, What
 from kernel.memory.attention import Attention, Failure, Focus, Progress
 from kernel.memory.change import SESSION, Change
 from kernel.memory.experience import Experience
-from kernel.memory.lesson import Lesson, Operator, Rule
+from kernel.memory.lesson import Content, Lesson, Operator, Rule
+from kernel.memory.likeness import covers
 from kernel.memory.operators import Operators
 from kernel.memory.policy import Policy, Shift
 from kernel.memory.recent import Doubt, Recent, Saying
@@ -174,6 +175,30 @@ class Commons:
         owner = self.settings.owner.lower()
         prohibits = isinstance(lesson.content, Operator) and lesson.content.prohibits
         return not (owner and prohibits) or person.lower() in {owner, lesson.teacher.lower()} - {""}
+
+    def lifted(self, person: str, content: Content) -> Lesson | None:
+        """The prohibition in force that this permission would lift although the person may not.
+
+        Only what the two say of themselves counts here; what inference adds is looked at when acting
+        (kernel/selecting.py).
+        """
+        if not (isinstance(content, Operator) and content.trigger.tag == "ALLOW"):
+            return None
+        allowed = content.trigger.graphlet
+        for veto in self.lessons.values() if self.settings.owner else ():
+            if isinstance(veto.content, Operator) and veto.content.prohibits:
+                forbidden = veto.content.trigger.graphlet
+                if allowed is None or forbidden is None or self.may(person, veto):
+                    continue
+                pair = (forbidden, (allowed,), allowed), (allowed, (forbidden,), forbidden)
+                if any(covers(*one) for one in pair):
+                    return veto
+        return None
+
+    def not_yours(self, lesson: Lesson) -> Failure:
+        """Why somebody may not do so; the owner is not named beside himself."""
+        owners = lesson.teacher.lower() == self.settings.owner.lower()
+        return Failure("not_yours", None, "" if owners else lesson.teacher)
 
     def bear(self, lesson: Lesson) -> None:
         """Put a lesson in force that was there from the start."""

@@ -7,11 +7,11 @@ from dataclasses import replace
 
 from kernel.adapting import weigh
 from kernel.commons import Commons
-from kernel.memory.attention import Failure, Focus
-from kernel.memory.lesson import Lesson, Operator
-from kernel.memory.likeness import covers, never_fires
+from kernel.memory.attention import Focus
+from kernel.memory.lesson import Lesson
+from kernel.memory.likeness import never_fires
 from kernel.memory.recent import PATIENCE_S, Doubt
-from kernel.memory.reply import AskKeep, KnownAlready, LessonDropped, Revised, Why
+from kernel.memory.reply import KnownAlready, LessonDropped, Revised, Why
 from kernel.net.graphlet import Graphlet
 from kernel.net.match import matches
 from kernel.net.node import REMEMBERED
@@ -31,8 +31,8 @@ def learn(commons: Commons, focus: Focus) -> Learning:
         return False
     if isinstance(lesson.content, Graphlet):
         return (yield from _fact(commons, focus, lesson))
-    if (veto := _not_theirs(commons, focus, lesson)) is not None:
-        focus.failure = Failure("not_yours", None, veto.teacher)
+    if (veto := commons.lifted(focus.by, lesson.content)) is not None:
+        focus.failure = commons.not_yours(veto)
         return False
     change = replace(focus.changing(), learned=(lesson,))
     old = next(iter(commons.shelves.alike(lesson.content)), None)
@@ -54,7 +54,7 @@ def learn(commons: Commons, focus: Focus) -> Learning:
             return True
         if answer == "replace" and other is not None:
             if not commons.may(focus.by, other):
-                focus.failure = Failure("not_yours", None, other.teacher)
+                focus.failure = commons.not_yours(other)
                 return False
             change = replace(change, retracted=(other.ident,))
     stored = yield from commons.commit(focus, change)
@@ -105,29 +105,10 @@ def _doubt(commons: Commons, lesson: Lesson) -> tuple[Why, Lesson | None] | None
     return None if other is None else ("contradicts", other)
 
 
-def _not_theirs(commons: Commons, focus: Focus, lesson: Lesson) -> Lesson | None:
-    """The prohibition that this permission would lift although its speaker may not.
-
-    Only what the two say of themselves counts here; what inference adds is looked at when acting (kernel/selecting.py).
-    """
-    operator = lesson.content
-    if not (isinstance(operator, Operator) and operator.trigger.tag == "ALLOW"):
-        return None
-    allowed = operator.trigger.graphlet
-    for veto in commons.lessons.values() if commons.settings.owner else ():
-        if isinstance(veto.content, Operator) and veto.content.prohibits:
-            forbidden = veto.content.trigger.graphlet
-            if allowed is None or forbidden is None or commons.may(focus.by, veto):
-                continue
-            if covers(forbidden, (allowed,), allowed) or covers(allowed, (forbidden,), forbidden):
-                return veto
-    return None
-
-
 def _answer(commons: Commons, focus: Focus, doubt: Doubt) -> Generator[None, None, str]:
     """Ask, and wait for the answer: until another utterance, a stop, or time closes the question."""
     commons.doubt = doubt
-    commons.replies.append(AskKeep(doubt.lesson, doubt.why, doubt.other))
+    commons.replies.append(doubt.question)
     try:
         while commons.doubt is doubt and not doubt.answer and commons.tick.now_s < doubt.until_s:
             focus.waits.add("answer")

@@ -11,7 +11,7 @@ from dataclasses import replace
 from kernel.action.step import Run
 from kernel.action.verdict import Verdict
 from kernel.commons import Commons
-from kernel.memory.attention import Failure, Focus
+from kernel.memory.attention import Focus
 from kernel.memory.change import LEAST, SESSION, Adapted, Change
 from kernel.memory.lesson import INNATE, Lesson, Operator
 from kernel.memory.likeness import covers
@@ -33,7 +33,8 @@ def undo(commons: Commons, focus: Focus) -> Run:
     for change in list(commons.policy.changes()):
         if not change.own and commons.policy.counts(change.ident):
             taking = replace(focus.changing(), undone=_undoing(commons, change))
-            if change.adapted or commons.policy.preview(taking) != Shift():
+            resting = commons.policy.beyond(taking)
+            if change.adapted or resting or commons.policy.preview(taking) != Shift():
                 return (yield from _take_back(commons, focus, taking))
     commons.replies.append(NothingToDo("undo"))
     return Verdict.SUCCEEDED
@@ -71,9 +72,13 @@ def undo_today(commons: Commons, focus: Focus) -> Run:
 def _take_back(commons: Commons, focus: Focus, change: Change) -> Run:
     change = replace(change, adapted=_amends(commons, change))
     shift = commons.policy.preview(change)
-    if shift == Shift():
+    if shift == Shift() and not commons.policy.beyond(change):
         commons.replies.append(NothingToDo("undo"))
         return Verdict.SUCCEEDED
+    for lesson in shift.entered:  # what they may not permit they may not bring back
+        if (veto := commons.lifted(focus.by, lesson.content)) is not None:
+            focus.failure = commons.not_yours(veto)
+            return Verdict.FAILED
     chunks = with_chunks(commons, shift.left)[len(shift.left) :]
     change = replace(change, retracted=tuple(chunk.ident for chunk in chunks))
     if not (yield from changed(commons, focus, change, shift.left)):
@@ -111,7 +116,7 @@ def changed(
     """Make a change that takes these lessons out of force; False, with the reason, where the speaker may not."""
     for lesson in leaving:
         if not commons.may(focus.by, lesson):
-            focus.failure = Failure("not_yours", None, lesson.teacher)
+            focus.failure = commons.not_yours(lesson)
             return False
     return (yield from commons.commit(focus, change))
 
@@ -158,7 +163,7 @@ def _by_number(commons: Commons, focus: Focus, numbers: tuple[int, ...]) -> Run:
     change = replace(focus.changing(), retracted=tuple(retracted))
     if not (yield from changed(commons, focus, change, gone)):
         return Verdict.FAILED
-    commons.replies.append(Forgotten(tuple(found)))
+    commons.replies.append(Forgotten(tuple(found), resting=len(wanted) - len(found)))
     return Verdict.SUCCEEDED
 
 

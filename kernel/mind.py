@@ -28,7 +28,7 @@ from kernel.memory.lesson import INNATE, Lesson
 from kernel.memory.meaning import Command, Control, Heard, Question, Revision, Utterance
 from kernel.memory.operators import Operators
 from kernel.memory.policy import Shift
-from kernel.memory.reply import AskWhich, Failed, Halted, Reply
+from kernel.memory.reply import AskKeep, AskWhich, Failed, Halted, Reply
 from kernel.memory.settings import Settings
 from kernel.memory.working import WorkingMemory
 from kernel.net.graphlet import Graphlet
@@ -97,9 +97,12 @@ class Mind:
         return self._commons.memory
 
     @property
-    def expecting(self) -> AskWhich | None:
+    def expecting(self) -> AskWhich | AskKeep | None:
         """The question that is open, if there is one."""
-        return self._commons.which.question if self._commons.which else None
+        commons = self._commons
+        if commons.which is not None:
+            return commons.which.question
+        return commons.doubt.question if commons.doubt is not None else None
 
     @property
     def experience(self) -> Experience:

@@ -16,7 +16,7 @@ from kernel.action.verdict import Verdict
 from kernel.adapting import adapts, feedback_change
 from kernel.commons import Commons
 from kernel.managing import last_taught, with_chunks
-from kernel.memory.attention import Failure, Focus
+from kernel.memory.attention import Focus
 from kernel.memory.editing import (
     has_step,
     with_more,
@@ -116,7 +116,7 @@ def _taught(commons: Commons) -> Lesson | None:
 def _edit(commons: Commons, focus: Focus, old: Lesson, operator: Operator) -> Run:
     """One change: the old lesson goes, the new one comes, with the words and the teacher of the revision."""
     if not commons.may(focus.by, old):
-        focus.failure = Failure("not_yours", None, old.teacher)
+        focus.failure = commons.not_yours(old)
         return Verdict.FAILED
     change = focus.changing()
     new = Lesson(0, old.kind, operator, change.words, change.by, change.at_s)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import socket
+import time
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Final
@@ -34,14 +35,23 @@ class Client(Closing):
             self._socket.close()
             raise
         self._lines = self._socket.makefile("rb")
+        self._allowance = (
+            messages.BURST - 1.0
+        )  # the daemon's own count is never lower than this one
+        self._counted_s = time.monotonic()
 
     def ask(self, request: messages.Request) -> Iterator[messages.AnyAnswer]:
-        """Send a request; the answers up to and including the last.
+        """Send a request, not faster than the daemon takes them; the answers up to and including the last.
 
         Raises:
             ControlError: refused, or the daemon went away.
         """
-        self._socket.sendall(messages.line(request))
+        if not isinstance(request, messages.Stop):  # never refused
+            self._pace()
+        try:
+            self._socket.sendall(messages.line(request))
+        except ConnectionError as error:  # click would end without a word on a broken pipe
+            raise ControlError("the daemon went away") from error
         for line in self._lines:
             answer = messages.read_answer(line)
             if isinstance(answer, messages.Wrong):
@@ -50,6 +60,15 @@ class Client(Closing):
             if not isinstance(answer, messages.Happened):
                 return
         raise ControlError("the daemon went away")
+
+    def _pace(self) -> None:
+        now_s = time.monotonic()
+        gained = (now_s - self._counted_s) * messages.REQUESTS_A_SECOND
+        self._allowance = min(self._allowance + gained, messages.BURST - 1.0)
+        self._counted_s = now_s
+        if self._allowance < 1:
+            time.sleep((1 - self._allowance) / messages.REQUESTS_A_SECOND)
+        self._allowance -= 1
 
     def close(self) -> None:
         """Hang up."""

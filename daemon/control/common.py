@@ -25,7 +25,7 @@ config_option = click.option(
     help="Configuration (default: ~/.config/sayso/sayso.toml where it exists).",
 )
 speaker_option = click.option(
-    "--speaker", default="", metavar="NAME", help="Who says it (default: nobody known)."
+    "--speaker", default="", metavar="NAME", help="Who says it (default: whoever spoke last)."
 )
 
 

@@ -38,7 +38,6 @@ def as_json(rows: Sequence[Row], **more: str) -> None:
 
 
 def _object(row: Row) -> dict[str, object]:
-    taught = row.strength if row.standing == "rests" else row.lesson.strength
     return {
         "number": row.ident,
         "kind": row.kind,
@@ -47,7 +46,7 @@ def _object(row: Row) -> dict[str, object]:
         "teacher": row.teacher,
         "at_s": row.at_s,
         "made_of": list(row.origins),
-        "taught_strength": taught,
+        "taught_strength": row.taught,
         "strength": row.strength,
         "standing": row.standing,
         "why": row.why,
@@ -88,7 +87,7 @@ def _table(rows: Sequence[Row], *, everything: bool) -> Table:
     table = Table(box=None, pad_edge=False, header_style="bold")
     for heading in ("no.", "kind", "lesson", "taught by", "when"):
         table.add_column(heading, justify="right" if heading == "no." else "left", overflow="fold")
-    moved = any(row.standing != "rests" and row.strength != row.lesson.strength for row in rows)
+    moved = any(row.strength != row.taught for row in rows)
     for heading, wanted in (("strength", moved), ("", everything)):
         if wanted:
             table.add_column(heading)
@@ -107,9 +106,7 @@ def _teacher(row: Row) -> str:
 
 
 def _strength(row: Row) -> str:
-    if row.standing == "rests" or row.strength == row.lesson.strength:
-        return ""
-    return f"{row.strength:.2f} (taught {row.lesson.strength:.2f})"
+    return "" if row.strength == row.taught else f"{row.strength:.2f} (taught {row.taught:.2f})"
 
 
 def _standing(row: Row) -> str:

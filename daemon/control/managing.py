@@ -51,7 +51,10 @@ def lessons(
         listing.show(rows, chosen, everything=everything, filtered=bool(text))
 
 
-@click.command(short_help="Take lessons back, by number or in words.")
+@click.command(
+    short_help="Take lessons back, by number or in words.",
+    context_settings={"ignore_unknown_options": True},  # -1 is a number, if a wrong one
+)
 @click.argument("what", nargs=-1, required=True, metavar="N...|TEXT")
 @common.speaker_option
 @common.config_option
@@ -66,7 +69,7 @@ def forget(what: tuple[str, ...], speaker: str, config_file: Path | None) -> Non
     """
     numbers = _numbers(what)
     said = common.text_argument(" ".join(what))
-    if not said.lower().startswith("forget"):
+    if said.lower().split()[0] != "forget":
         said = f"forget {said}"
     with common.reached(config_file) as robot:
         if numbers:
@@ -82,6 +85,9 @@ def _numbers(what: tuple[str, ...]) -> tuple[int, ...]:
     """
     from daemon.control.messages import FORGET_AT_ONCE
 
+    for word in what:
+        if word.startswith("-") or (word.isascii() and word.isdigit() and int(word[:18]) == 0):
+            raise click.UsageError(f"{word} is no number of a lesson: they begin with 1")
     if not all(word.isascii() and word.isdigit() for word in what):
         return ()
     if len(what) > FORGET_AT_ONCE or any(len(word) > 18 for word in what):

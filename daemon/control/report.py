@@ -19,8 +19,10 @@ def line(event: Mapping[str, Any]) -> str | None:
             return _row("understood", f"{readback} ({kind})")
         case {"event": "not_understood", "reason": reason}:
             return _row("unclear", reason)
-        case {"event": "replied", "shown": shown, "spoken": spoken} if shown and shown != spoken:
-            return _row("shown", shown)
+        case {"event": "replied", "shown": shown, "spoken": spoken} if shown:
+            return _row("said" if spoken else "shown", shown)  # at once, be the voice busy or slow
+        case {"event": "say_started", "told": True}:
+            return None
         case {"event": "say_started", "text": text}:
             return _row("said", text)
         case {"event": "action_started", "text": text, "function": function}:

@@ -14,6 +14,7 @@ from daemon.speaking.voice import Voice
 class _Line:
     text: str
     ticket: int | None
+    told: bool
 
 
 class SpeechQueue:
@@ -41,9 +42,9 @@ class SpeechQueue:
         """Something is being said."""
         return self._current is not None
 
-    def add(self, text: str, ticket: int | None = None) -> None:
-        """Queue a text; a ticket is reported by `step` once the text has been said or was cut."""
-        self._waiting.append(_Line(text, ticket))
+    def add(self, text: str, ticket: int | None = None, *, told: bool = False) -> None:
+        """Queue a text; a ticket is reported by `step` once the text has been said or was cut. told: see SayStarted."""
+        self._waiting.append(_Line(text, ticket, told))
 
     def step(self, now_s: float) -> frozenset[int]:
         """Notice what ended, start what is next; tickets that ended since the last step."""
@@ -53,7 +54,8 @@ class SpeechQueue:
             if self._current is not None or not self._waiting:
                 break
             self._current = self._waiting.popleft()
-            self._emit(SayStarted(t=now_s, text=self._current.text))
+            current = self._current
+            self._emit(SayStarted(t=now_s, text=current.text, told=current.told))
             self._safely(self._voice.start, self._current.text, now_s)
         ended, self._ended = frozenset(self._ended), set()
         return ended

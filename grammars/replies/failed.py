@@ -130,6 +130,7 @@ _WORD_KINDS: Final = {"dir": "direction", "amt": "unit", "mod": "word", "loc": "
 
 _SENTENCES: Final[dict[Reason, Callable[[Failed], str]]] = {
     "no_way": lambda r: f"I don't know how to {_act(r)}",
+    "given_up": lambda r: f"I was taught to give up {_act(r, 'gerund')}",
     "not_grounded": _not_grounded,
     "prohibited": lambda r: f"I may not {_act(r)}",
     "nothing_found": _nothing_found,

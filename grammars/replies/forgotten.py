@@ -20,9 +20,14 @@ def forgotten(reply: Forgotten) -> Said:
         if not reply.lessons:
             return both(f"I know nothing about {thing}")
         return both(f"I have forgotten what I was told about {thing}")
-    if not reply.lessons:
+    named = [*map(_named, reply.lessons)]
+    if reply.resting:
+        named += [
+            "a lesson that rested" if reply.resting == 1 else f"{reply.resting} lessons that rested"
+        ]
+    if not named:
         return both("I never learned that")
-    return both(f"I have forgotten {' and '.join(map(_named, reply.lessons))}")
+    return both(f"I have forgotten {' and '.join(named)}")
 
 
 def _named(lesson: Lesson) -> str:

@@ -8,7 +8,9 @@ from typing import Final, Literal, Protocol
 from kernel.action.verdict import Verdict
 
 Run = Generator[None, None, Verdict]
-StepReason = Literal["no_way", "prohibited", "nothing_found", "not_so", "not_known", "not_achieved"]
+StepReason = Literal[
+    "no_way", "given_up", "prohibited", "nothing_found", "not_so", "not_known", "not_achieved"
+]
 
 
 class Advice(Protocol):

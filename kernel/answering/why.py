@@ -10,7 +10,9 @@ from kernel.memory.experience import Deed
 from kernel.memory.explanation import Because
 from kernel.memory.reply import Reply
 
-STANDING: Final = frozenset(("prohibited", "no_way", "no_sense"))  # reasons that need no attempt
+STANDING: Final = frozenset(
+    ("prohibited", "no_way", "given_up", "no_sense")
+)  # reasons that need no attempt
 STOPPING: Final = frozenset(("stop", "halt"))
 
 

@@ -48,6 +48,7 @@ def _act(step: Step) -> Run:
             if verdict in (Verdict.SUCCEEDED, Verdict.STOPPED):
                 return verdict
             if verdict is Verdict.PUNTED:
+                step.explain("given_up")
                 return Verdict.FAILED
         if tried or not step.desperate():
             break

@@ -105,6 +105,14 @@ class Policy:
             others |= {name: list(by) for name, by in _some(mine, names).items()}
         return other.apply(replace(change, ident=2 * SESSION))
 
+    def beyond(self, change: Change) -> bool:
+        """Whether it takes back, or brings back, a lesson that only the store knows: one that rests."""
+        return any(ident not in self._known for ident in change.retracted) or any(
+            self.beyond(self._changes[number])
+            for number in change.undone
+            if number in self._changes
+        )
+
     def _undone_with(self, change: Change) -> dict[int, Change]:
         """The changes that it takes back, and those that these take back in turn."""
         found: dict[int, Change] = {}

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Final, Literal
 from kernel.memory.explanation import Taught
 from kernel.memory.lesson import Lesson
 from kernel.memory.meaning import Command, Fact
-from kernel.memory.reply import Answer, FeedbackTaken, Greeted, Reply, Why
+from kernel.memory.reply import Answer, AskKeep, FeedbackTaken, Greeted, Reply, Why
 from kernel.net.graphlet import Graphlet
 from kernel.net.node import Node
 
@@ -44,6 +44,11 @@ class Doubt:
     until_s: float
     focus: int
     answer: Literal["", "keep", "replace", "cancel"] = ""
+
+    @property
+    def question(self) -> AskKeep:
+        """As it is put."""
+        return AskKeep(self.lesson, self.why, self.other)
 
 
 @dataclass(slots=True)

@@ -12,6 +12,7 @@ from kernel.net.graphlet import Graphlet
 
 Reason = Literal[
     "no_way",  # no operator applies: "I don't know how to salute"
+    "given_up",  # a way to do it that was taught ends in PUNT
     "not_grounded",  # the body has no such direction, thing or word: detail is the word or what was missing
     "prohibited",  # by a lesson (Refused says which)
     "nothing_found",  # no such thing is known
@@ -28,7 +29,7 @@ Reason = Literal[
     "not_achieved",  # no way known, or none left, to make something so
     "conflict",  # two parts of one play want the same thing; detail names it
     "no_room",
-    "not_yours",  # a prohibition of somebody else's: detail is who taught it
+    "not_yours",  # a prohibition of somebody else's: detail is who taught it, "" for the owner
     "not_stored",  # a lesson could not be made durable; detail says why
     "not_so",  # a CHK failed; about says of what
     "not_known",  # a CHK or FIND could not find out; about says what
@@ -186,10 +187,14 @@ class Revised:
 
 @dataclass(frozen=True, slots=True)
 class Forgotten:
-    """Lessons taken out of force. about: the act or thing they were asked for by; none: there was nothing to forget."""
+    """Lessons taken out of force. about: the act or thing they were asked for by; none: there was nothing to forget.
+
+    resting: how many besides, which were not in force and which only the store can read.
+    """
 
     lessons: tuple[Lesson, ...]
     about: Graphlet | None = None
+    resting: int = 0
 
 
 @dataclass(frozen=True, slots=True)

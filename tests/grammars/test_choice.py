@@ -8,9 +8,10 @@ from grammars.errors import NotUnderstoodError
 from grammars.parse import parse
 from grammars.registry import discover
 from grammars.render import render
-from kernel.memory.meaning import Choice, Command
+from kernel.memory.lesson import Lesson
+from kernel.memory.meaning import Choice, Command, Control
 from kernel.memory.notation import read, write_meaning
-from kernel.memory.reply import AskWhich
+from kernel.memory.reply import AskKeep, AskWhich
 from kernel.net.graphlet import Graphlet
 
 
@@ -59,3 +60,14 @@ def test_what_describes_none_of_them_is_no_answer(chatter: str) -> None:
 
 def test_a_command_is_a_command_while_the_question_is_open() -> None:
     assert isinstance(parse("turn left", expecting=QUESTION).meaning, Command)
+
+
+DOUBT = AskKeep(Lesson(0, "fact", BLUE, "", "", 0.0), "denies_itself")
+
+
+@pytest.mark.parametrize("answer", [*discover()["refusal"].examples, "No!"])
+def test_no_cancels_a_doubtful_lesson_and_means_nothing_otherwise(answer: str) -> None:
+    assert parse(answer, expecting=DOUBT).meaning == Control("cancel")
+    for question in (None, QUESTION):
+        with pytest.raises(NotUnderstoodError):
+            parse(answer, expecting=question)

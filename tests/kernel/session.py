@@ -17,7 +17,7 @@ from grammars.parse import parse
 from grammars.vocabulary import Vocabulary, from_policy
 from kernel.memory.lesson import Lesson
 from kernel.memory.meaning import Meaning, Teach
-from kernel.memory.reply import AskWhich
+from kernel.memory.reply import AskKeep, AskWhich
 
 VERBS: Final = ("florp", "blick", "dance", "zaggle", "wiggle", "salute")
 PERSONS: Final = ("mary", "rick", "olga", "")
@@ -293,7 +293,7 @@ def understood(text: str) -> Meaning | None:
     return answered(text, None)
 
 
-def answered(text: str, expecting: AskWhich | None) -> Meaning | None:
+def answered(text: str, expecting: AskWhich | AskKeep | None) -> Meaning | None:
     """The same while a question is open."""
     try:
         return parse(text, vocabulary(), expecting).meaning

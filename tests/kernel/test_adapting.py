@@ -6,7 +6,7 @@ from kernel.action.call import MoveGrip, Travel
 from kernel.memory.choice import choice_weights
 from kernel.memory.lesson import Lesson
 from kernel.memory.meaning import Control, Feedback, Revision
-from kernel.memory.reply import FeedbackTaken, TakenBack
+from kernel.memory.reply import FeedbackTaken, Halted, TakenBack
 from kernel.memory.settings import Settings
 from tests.kernel.conftest import Robot, chain
 
@@ -142,6 +142,7 @@ def test_stop_that_halts_and_blames(robot: Robot) -> None:
     robot.stop()
     robot.hear(Feedback(good=False, stop=True), "stop that")
     robot.settle()
+    assert robot.replies[1:] == [Halted(was_busy=True)], "one answer to what is both"
     assert strength(robot, dance) == pytest.approx(0.8)
 
 

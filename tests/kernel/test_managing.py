@@ -304,6 +304,19 @@ def test_a_permission_counts_only_from_who_may_even_where_nothing_but_inference_
     assert robot.do(GRAB_MARY) == moved
 
 
+@pytest.mark.parametrize(("speaker", "moved"), [("rick", []), ("janey", [MoveGrip(0.0)])])
+def test_who_may_not_permit_may_not_bring_a_permission_back(speaker: str, moved: list[Any]) -> None:
+    """Janey allowed it and thought better of it."""
+    robot = Robot(settings=Settings(owner="janey"))
+    robot.tell(GIRL, MARY, speaker="mary")
+    robot.teach(NO_GIRLS, speaker="mary")
+    robot.teach(NO_GIRLS.replace("ANTE", "ALLOW").split("---")[0] + "---", speaker="janey")
+    control(robot, "forget", "janey")
+    assert robot.do(GRAB_MARY) == []
+    control(robot, "undo", speaker)
+    assert robot.do(GRAB_MARY) == moved
+
+
 # -- revision ------------------------------------------------------------------------------
 
 

@@ -93,6 +93,22 @@ class TestLessons:
         assert answers[2]["notation"]
         assert (answers[1]["words"], answers[1]["why"] != "") == ("to zorp, turn left", True)
 
+    def test_what_rests_can_be_forgotten_and_brought_back(self, folder: Path) -> None:
+        taught(*THREE)
+        store = Store.open(folder / "lessons.sqlite")
+        store._db.execute("UPDATE lesson SET notation = '' WHERE ident = 2")
+        store.close()
+        for command, standing in (
+            (("forget", "2"), "taken back"),
+            (("undo",), "rests"),
+            (("undo",), "taken back"),
+        ):
+            assert call(*command).exit_code == 0
+            assert call("lessons", "--all").exit_code == 0
+            lines = call("lessons", "--all", "--json").stdout.splitlines()
+            found = [json.loads(line)["standing"] for line in lines]
+            assert found == ["in force", standing, "in force"]
+
     def test_a_strength_that_moved_and_what_it_made_itself(self, folder: Path) -> None:
         taught("to zorp, you could turn left")
         store = Store.open(folder / "lessons.sqlite")
@@ -133,7 +149,6 @@ class TestForget:
         ("numbers", "why"),
         [
             (("2", "9"), "there is no lesson 9; nothing was changed"),
-            (("0",), "there is no lesson 0"),
             (("1", "1"), "lesson 1 was taken back already"),
         ],
     )
@@ -145,7 +160,10 @@ class TestForget:
         assert why in str(result.exception)
         assert len(in_force()) == 2
 
-    @pytest.mark.parametrize("words", [(), ("9" * 30,), tuple(map(str, range(101))), (" ",)])
+    @pytest.mark.parametrize(
+        "words",
+        [(), ("0", "-1"), ("-1",), ("0",), ("9" * 30,), tuple(map(str, range(101))), (" ",)],
+    )
     def test_wrong_usage(self, words: tuple[str, ...]) -> None:
         assert call("forget", *words).exit_code == 2
 
@@ -159,6 +177,13 @@ class TestForget:
     def test_words_are_said(self, words: tuple[str, ...], said: str) -> None:
         taught(*THREE)
         assert f"heard       {said}\n" in call("forget", *words).stdout
+
+
+def test_what_nobody_is_left_to_answer_ends_as_without_an_answer() -> None:
+    taught("never lift a cup")
+    result = call("say", "you may lift a cup")
+    assert (result.exit_code, "Okay. I may lift a cup." in result.stdout) == (0, True)
+    assert in_force() == ["never lift a cup", "you may lift a cup"]
 
 
 @pytest.mark.parametrize(

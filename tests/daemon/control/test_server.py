@@ -369,3 +369,34 @@ async def test_requests_about_lessons_are_bounded(
     (answer,) = await talk(served, request_line + b"\n")
     assert answer["is"] == "wrong"
     assert desk.asked == []
+
+
+def test_a_client_asks_no_faster_than_it_is_answered(monkeypatch: pytest.MonkeyPatch) -> None:
+    """A file of many lessons is taught to the end."""
+    now_s, asked = 100.0, messages.BURST + 5
+
+    def sleep(seconds: float) -> None:
+        nonlocal now_s
+        now_s += seconds
+
+    monkeypatch.setattr("daemon.control.client.time.monotonic", lambda: now_s)
+    monkeypatch.setattr("daemon.control.client.time.sleep", sleep)
+
+    class Sent:
+        count = 0
+
+        def settimeout(self, _: object) -> None: ...
+        def connect(self, _: object) -> None: ...
+        def makefile(self, _: object) -> list[bytes]:
+            return [messages.line(Done(outcome="done"))] * asked
+
+        def sendall(self, _: bytes) -> None:
+            self.count += 1
+
+    line = Sent()
+    monkeypatch.setattr("daemon.control.client.socket.socket", lambda _: line)
+    client = Client(Path("control.sock"))
+    for _ in range(asked):
+        assert list(client.ask(messages.Say(v=1, text="dance")))
+    assert line.count == asked
+    assert now_s - 100.0 >= (asked - messages.BURST) / messages.REQUESTS_A_SECOND

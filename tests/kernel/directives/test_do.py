@@ -122,6 +122,12 @@ def test_no_way_known_is_told(robot: Any) -> None:
     assert robot.reasons == ["no_way"]
 
 
+def test_a_way_that_is_given_up_is_not_unknown(robot: Any) -> None:
+    robot.teach(to("dance", "PUNT[ ]"))
+    robot.do(DANCE)
+    assert robot.reasons == ["given_up"]
+
+
 def test_a_punt_tries_no_further_way_but_the_parent_may(make_robot: Callable[..., Any]) -> None:
     for seed in range(6):
         robot = make_robot(seed=seed)
