@@ -37,6 +37,7 @@ from daemon.understanding import Understanding, forgetting
 from daemon.writer import Writer
 from kernel.memory.meaning import Utterance
 
+AFTERMATH_S: Final = 1.0  # what an utterance still brings about after its end: a complaint, say
 SETTLE_S: Final = 60.0  # how long a client is kept waiting for an utterance to come to an end
 
 
@@ -80,7 +81,7 @@ class App:
         self._awake = asyncio.Event()
         self._closing = asyncio.Event()
         self._watchers: list[Callable[[events.Event], None]] = [journal]
-        self._settling: list[asyncio.Future[None]] = []
+        self._settling: list[tuple[Following, asyncio.Future[None]]] = []
         self._notifier = Notifier()
         self._store = store
         self._writer = Writer(store, self._wake_from_thread, self._store_failed)
@@ -219,10 +220,7 @@ class App:
             if self._cycle.failures == 0:
                 self._notifier.advanced(now_s)
             self._ears.refresh()
-            if self._settling and self._cycle.settled:
-                settling, self._settling = self._settling, []
-                for future in settling:
-                    future.set_result(None)
+            self._settle(now_s)
             with suppress(TimeoutError):
                 async with asyncio.timeout(now_s + period_s - self._clock.now_s()):
                     await self._awake.wait()
@@ -238,9 +236,19 @@ class App:
         finally:
             unsubscribe()
 
+    def _settle(self, now_s: float) -> None:
+        """Let go of those who wait: nothing goes on, or what they said is over, though something endless is not."""
+        waiting, self._settling = self._settling, []
+        for following, future in waiting:
+            if self._cycle.settled or following.over_for(AFTERMATH_S, now_s):
+                if not future.done():
+                    future.set_result(None)
+            else:
+                self._settling.append((following, future))
+
     async def _settled(self, following: Following) -> OutcomeWord:
         settled: asyncio.Future[None] = self._loop.create_future()
-        self._settling.append(settled)
+        self._settling.append((following, settled))
         try:
             async with asyncio.timeout(SETTLE_S):
                 await settled

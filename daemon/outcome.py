@@ -20,6 +20,11 @@ class Following:
     def __init__(self, text: str | None = None) -> None:
         self._text = text
         self._outcome: OutcomeWord = "done"
+        self.over_s: float | None = None
+
+    def over_for(self, seconds: float, now_s: float) -> bool:
+        """The utterance itself came to its end at least so long ago, whatever else is still going on."""
+        return self.over_s is not None and now_s - self.over_s >= seconds
 
     @property
     def outcome(self) -> OutcomeWord:
@@ -28,6 +33,8 @@ class Following:
 
     def see(self, event: events.Event) -> None:
         """Take one event into account."""
+        if self._ends(event):
+            self.over_s = event.t
         match event:
             case events.NotUnderstood(text=text) if self._text in (None, text):
                 self._outcome = "not_understood"
@@ -40,6 +47,12 @@ class Following:
                 self._fail()
             case _:
                 pass
+
+    def _ends(self, event: events.Event) -> bool:
+        match event:
+            case events.Ended(utterance=words) | events.NotUnderstood(text=words):
+                return self._text is not None and words == self._text
+        return False
 
     def _fail(self) -> None:
         if self._outcome == "done":

@@ -118,6 +118,17 @@ def test_sigint_in_the_middle_of_a_drive_stops_the_robot(folder: Path) -> None:
         assert "'source': 'closing'" in process.stderr.read()
 
 
+def test_an_answer_comes_although_something_endless_goes_on(folder: Path) -> None:
+    with daemon(folder):
+        connected(folder)
+        with Client(folder / "control.sock", answer_s=20) as client:
+            for answer in client.ask(Say(v=1, text="keep turning left")):
+                if isinstance(answer, Happened) and answer.event["event"] == "action_started":
+                    break
+            assert ask(folder, Say(v=1, text="say hi"))[-1] == Done(outcome="done")
+        ask(folder, Stop(v=1))
+
+
 def test_sigterm_before_it_is_ready(folder: Path) -> None:
     with subprocess.Popen([*SAYSO, "run"], env=environment(folder)) as process:
         while not (folder / "control.sock").exists():

@@ -46,5 +46,14 @@ def test_whatever_is_heard_counts_where_no_text_is_given() -> None:
     assert following.outcome == "failed"
 
 
+def test_an_utterance_is_over_once_it_itself_has_ended() -> None:
+    following = Following("dance")
+    following.see(events.Ended(t=T, text="", verdict="succeeded", utterance="another"))
+    assert not following.over_for(0.0, T + 9.0)
+    following.see(events.Ended(t=T, text="", verdict="succeeded", utterance="dance"))
+    assert not following.over_for(2.0, T + 1.5)
+    assert following.over_for(2.0, T + 2.0)
+
+
 def test_exit_statuses_are_those_of_the_help() -> None:
     assert EXIT_STATUS == {"done": 0, "running": 0, "failed": 1, "not_understood": 3}
