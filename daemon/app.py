@@ -94,10 +94,10 @@ class App:
 
     async def run(self) -> int:
         """Serve until SIGTERM or SIGINT; the exit status."""
+        for number in (signal.SIGTERM, signal.SIGINT):  # first: who sees the socket may send one
+            self._loop.add_signal_handler(number, self.close)
         server = ControlServer(configuration.socket_path(self._config), self)
         server.bind()
-        for number in (signal.SIGTERM, signal.SIGINT):
-            self._loop.add_signal_handler(number, self.close)
         try:
             async with asyncio.TaskGroup() as group:
                 tasks = [
