@@ -5,18 +5,16 @@ about words that are not there, or have only the first of two conditions met.
 """
 
 from dataclasses import replace
-from typing import TypeVar
 
 from grammars.parse import parse
-from kernel.action.chain import Chain, Directive, Play
-from kernel.memory.lesson import Lesson, Operator, Rule
+from kernel.memory.lesson import Lesson, Rule
 from kernel.memory.meaning import Fact, Teach
+from kernel.memory.notation import mapped
 from kernel.memory.working import WorkingMemory
 from kernel.net.graphlet import Graphlet
 from kernel.net.node import Node
 
 FACTS, FIRING, SECOND = 100, 50, 25
-JOINS, UNLESS = 10, 10  # of those that fire
 # The grammar has no rules with exceptions yet: the exception is the net of "it is red" in the same sentence.
 SENTENCES = {
     "one": "if something is a girl it is tall",
@@ -29,7 +27,6 @@ SENTENCES = {
     "grab": "you should never grab a girl",
     "reaction": "if something is tall drive backwards",
 }
-G = TypeVar("G", Graphlet, Directive, Chain, Rule, Operator)
 
 
 def _meanings() -> dict[str, object]:
@@ -48,38 +45,10 @@ def _meanings() -> dict[str, object]:
     return {**rules, **facts}
 
 
-def reworded(content: G, words: dict[str, str]) -> G:
-    """The net with these words in place of those."""
-    match content:
-        case Graphlet(terms, main):
-            return Graphlet(
-                tuple(replace(t, lex=frozenset(words.get(w, w) for w in t.lex)) for t in terms),
-                main,
-            )
-        case Directive(tag, graphlet):
-            return Directive(tag, graphlet and reworded(graphlet, words))
-        case Chain(plays):
-            return Chain(
-                tuple(
-                    Play(*(tuple(reworded(p, words) for p in g) for g in (x.required, x.auxiliary)))
-                    for x in plays
-                )
-            )
-        case Rule():
-            return replace(
-                content,
-                condition=reworded(content.condition, words),
-                conclusion=reworded(content.conclusion, words),
-                unless=tuple(reworded(g, words) for g in content.unless),
-            )
-        case Operator():
-            return replace(
-                content,
-                trigger=reworded(content.trigger, words),
-                chain=reworded(content.chain, words),
-                enablement=tuple(reworded(g, words) for g in content.enablement),
-            )
-    raise TypeError(content)
+def _reworded(graphlet: Graphlet, words: dict[str, str]) -> Graphlet:
+    """The graphlet with these words in place of those."""
+    terms = (replace(t, lex=frozenset(words.get(w, w) for w in t.lex)) for t in graphlet.terms)
+    return Graphlet(tuple(terms), graphlet.main)
 
 
 class Nets:
@@ -90,7 +59,7 @@ class Nets:
 
     def make(self, name: str, **words: str) -> object:
         """A net with other words."""
-        return reworded(self._nets[name], words)  # type: ignore[type-var]
+        return mapped(self._nets[name], lambda graphlet: _reworded(graphlet, words))
 
 
 NETS = Nets()

@@ -4,14 +4,18 @@ Conclusions are logical: they go with their reasons, as ours do.
 """
 
 import time
+from functools import partial
 from statistics import median
 
+import _timing
 from _lessons import FACTS, FIRING, SECOND, kind_of
 
 try:
     import clips
 except ImportError:  # the benchmark runs without it
     clips = None
+
+timed = partial(_timing.timed, clock=time.thread_time)
 
 
 def rules(size: int) -> list[str]:
@@ -65,12 +69,12 @@ class Clips:
 
     def times(self, repeats: int) -> dict[str, float]:
         """Medians, ms: from scratch, a fact removed, a fact added."""
-        scratch = [_timed(self.scratch) for _ in range(max(5, repeats // 10))]
+        scratch = [timed(self.scratch) for _ in range(max(5, repeats // 10))]
         removed, added = [], []
         for number in range(repeats):
             index = 2 * (number * 7 % FIRING)
-            removed.append(_timed(lambda at=index: self._remove(at)))  # type: ignore[misc]
-            added.append(_timed(lambda at=index: self._add(at)))  # type: ignore[misc]
+            removed.append(timed(lambda at=index: self._remove(at)))  # type: ignore[misc]
+            added.append(timed(lambda at=index: self._add(at)))  # type: ignore[misc]
         return {"scratch": median(scratch), "remove": median(removed), "add": median(added)}
 
     def _remove(self, index: int) -> None:
@@ -96,10 +100,4 @@ def cross(candidates: int) -> float:
             environment.assert_string(f"(ako ball ball{number})")
         environment.run()
 
-    return median(_timed(work) for _ in range(50))
-
-
-def _timed(work: object) -> float:
-    began = time.thread_time()
-    work()  # type: ignore[operator]
-    return (time.thread_time() - began) * 1e3
+    return median(timed(work) for _ in range(50))

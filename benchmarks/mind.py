@@ -11,12 +11,13 @@ import subprocess
 import sys
 import tempfile
 import time
-from collections.abc import Callable
 from dataclasses import replace
+from functools import partial
 from pathlib import Path
 from statistics import median, quantiles
 
 import _rete
+import _timing
 from _lessons import FIRING, NETS, SECOND, lessons, say, tell
 
 from daemon.store import Store
@@ -38,11 +39,8 @@ MEMORY_MB = 300
 missed: list[str] = []
 
 
-def timed(work: Callable[[], object], clock: Callable[[], float] = time.thread_time) -> float:
-    """Milliseconds of this thread, which no other process lengthens; what waits for the disk needs a wall clock."""
-    began = clock()
-    work()
-    return (clock() - began) * 1e3
+# What waits for the disk needs a wall clock instead.
+timed = partial(_timing.timed, clock=time.thread_time)
 
 
 def show(what: str, times_ms: list[float], target_ms: float, clips_ms: float | None = None) -> None:
@@ -181,7 +179,7 @@ def storing(size: int) -> None:
                 if not [render(lesson.content, "teacher") for lesson in out.shift.entered]:
                     raise SystemExit("it was not learned")
 
-            times.append(timed(teach, time.perf_counter))
+            times.append(timed(teach, clock=time.perf_counter))
         show("a lesson stored durably and read back", times, 20)
         store.close()
 
@@ -206,14 +204,7 @@ def resident_mb(size: int) -> float:
 def resident(size: int) -> None:
     mind = Mind(lessons(size))
     mind.tick(Inputs(1.0))
-    status = Path("/proc/self/status")
-    if status.exists():
-        (line,) = (x for x in status.read_text().splitlines() if x.startswith("VmRSS"))
-        print(int(line.split()[1]) / 1024)
-    else:
-        import resource
-
-        print(resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024**2)
+    print(_timing.resident_mb())
 
 
 def main() -> int:

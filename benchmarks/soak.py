@@ -15,9 +15,7 @@ with.
 
 import argparse
 import gc
-import platform
 import random
-import resource
 import sys
 import tempfile
 import time
@@ -26,6 +24,8 @@ from pathlib import Path
 from statistics import median, quantiles
 
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
+
+from _timing import resident_mb
 
 from daemon.store import Store
 from kernel.bodies.forklift.kinematic import Kinematic
@@ -69,15 +69,6 @@ class Soaked(Robot):
     def close(self) -> None:
         self.db.close()
         self._folder.cleanup()
-
-
-def resident_mb() -> float:
-    status = Path("/proc/self/status")
-    if status.exists():
-        (line,) = (x for x in status.read_text().splitlines() if x.startswith("VmRSS"))
-        return int(line.split()[1]) / 1024
-    used = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss  # the most there ever was
-    return used / (1024**2 if platform.system() == "Darwin" else 1024)
 
 
 def report(hour: float, watched: Watched, robot: Soaked, took_ms: list[float]) -> float:
