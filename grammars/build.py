@@ -14,7 +14,7 @@ from grammars.vocabulary import lines
 from kernel.action.chain import Chain, Directive, Play
 from kernel.net.graphlet import Graphlet
 
-__all__ = ["Build", "NoMeaningError", "count", "particles"]
+__all__ = ["Build", "NoMeaningError", "particles"]
 
 WONDERS: Final = {"what_like": "hq", "what_kind": "ako", "whereabout": "loc"}
 SIZES: Final = {

@@ -47,7 +47,7 @@ def trust(alist: AList) -> Teach:
     instead = alist.find("chain")
     plays = () if instead is None else build.chain(instead).plays
     chain = Chain((*plays, Play((Directive("PUNT"),))))
-    if alist.has("only") or alist.has("unless_ordered"):
+    if alist.has("only"):
         return Teach("permission", Operator(Directive("ANTE", done), chain, unless=(telling,)))
     both = build.sketch.graphlet(act, *(term.name for term in (*done, *telling)))
     if alist.has("may_order") or alist.has("may_obey"):

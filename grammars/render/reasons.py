@@ -25,6 +25,11 @@ def taught(lesson: Lesson, asked: Asked | None = None) -> str:
     return f"{teacher(lesson, asked)}: {exact_words(lesson)}"
 
 
+def said_by(name: str, verb: str = "told") -> str:
+    """ "Mary told me", "I was taught"."""
+    return f"{proper(name)} {verb} me" if name else f"I was {verb}"
+
+
 def teacher(lesson: Lesson, asked: Asked | None = None) -> str:
     """ "Freddy taught me", "Mary told me today at 14:05"; who is not known, or nobody."""
     verb = "told" if lesson.kind == "fact" else "taught"
@@ -33,16 +38,15 @@ def teacher(lesson: Lesson, asked: Asked | None = None) -> str:
     elif lesson.ident < 0:
         said = "I was born knowing"
     else:
-        said = f"{proper(lesson.teacher)} {verb} me" if lesson.teacher else f"I was {verb}"
+        said = said_by(lesson.teacher, verb)
     when = moment(lesson.at_s, asked.at_s, asked.utc_offset_s) if asked else ""
     return f"{said} {when}".rstrip()
 
 
 def told(source: Source, asked: Asked | None = None) -> str:
     """ "Mary told me: the red block is heavy"."""
-    said = f"{proper(source.teacher)} told me" if source.teacher else "I was told"
     when = moment(source.at_s, asked.at_s, asked.utc_offset_s) if asked else ""
-    return f"{said} {when}".rstrip() + f": {_bare(source.words)}"
+    return f"{said_by(source.teacher)} {when}".rstrip() + f": {_bare(source.words)}"
 
 
 def exact_words(lesson: Lesson) -> str:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from grammars.render.reasons import asked_act, forbidden, lines
-from grammars.replies import Said, renders
+from grammars.replies import Said, both, renders
 from grammars.replies.because import trouble_in_words
 from kernel.memory.explanation import Allowed
 
@@ -17,5 +17,4 @@ def allowed(reply: Allowed) -> Said:
     else:
         first, *more = trouble_in_words(trouble, about)
         told = [f"{'no,' if forbidden(trouble) else 'yes, but'} {first}", *more]
-    shown = lines(told)
-    return Said(shown, shown.replace('"', ""))
+    return both(lines(told))

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from grammars.render import thing_in_words
 from grammars.render.telling import SAYING
-from grammars.replies import Said, aloud, renders
+from grammars.replies import Said, aloud, listed, renders
 from kernel.memory.reply import AskWhich
 from kernel.net.graphlet import Graphlet, Term
 
@@ -12,7 +12,8 @@ from kernel.net.graphlet import Graphlet, Term
 @renders(AskWhich)
 def ask_which(reply: AskWhich) -> Said:
     """ "Which block: the red one or the blue one?" """
-    said = f"{_which(reply)}: {_listed([_apart(option, reply) for option in reply.options])}?"
+    options = [_apart(option, reply) for option in reply.options]
+    said = f"{_which(reply)}: {listed(options, 'or')}?"
     return Said(said, aloud(said))
 
 
@@ -64,8 +65,3 @@ def _with_marks(option: Graphlet, apart: list[Term]) -> list[Term]:
             and ("ako", option.main) not in t.links
         ]
     return kept
-
-
-def _listed(parts: list[str]) -> str:
-    """ "A, B or C"."""
-    return " or ".join(filter(None, (", ".join(parts[:-1]), parts[-1])))

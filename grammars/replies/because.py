@@ -8,12 +8,12 @@ from grammars.render.reasons import (
     forbidden,
     lines,
     reasoning,
+    said_by,
     same_act,
     taught,
     what_was,
 )
-from grammars.render.things import proper
-from grammars.replies import Said, renders
+from grammars.replies import Said, aloud, renders
 from grammars.replies.failed import failure
 from kernel.memory.experience import Deed, Trouble
 from kernel.memory.explanation import Asked, Because
@@ -25,7 +25,7 @@ from kernel.net.graphlet import Graphlet
 @renders(Because)
 def because(reply: Because) -> Said:
     """ "Because something was very close, and Freddy taught me: if something is very close then drive backwards." """
-    return Said(lines(_told(reply, reply.asked)), lines(_told(reply, None)).replace('"', ""))
+    return Said(lines(_told(reply, reply.asked)), aloud(lines(_told(reply, None))))
 
 
 def _told(reply: Because, asked: Asked | None) -> list[str]:
@@ -79,8 +79,7 @@ def _cause(deed: Deed, root: Deed, way: Lesson | None, asked: Asked | None) -> l
         return [first, *more]
     if root.source is None:
         return ["I don't know why"]
-    who = proper(root.source.teacher)
-    first = f"because {f'{who} told me' if who else 'I was told'} to {_act(root.act)}"
+    first = f"because {said_by(root.source.teacher)} to {_act(root.act)}"
     if lessons:
         first += f", and {taught(lessons[-1], asked)}"
     return [first]

@@ -106,7 +106,7 @@ def _wondered(reply: Failed) -> str:
     if not reply.about:
         return "that"
     about = definite(reply.about[0])
-    main = about.term(about.main) if about.main in about.names else Term(about.main)
+    main = about.head or Term(about.main)
     if main.lex or main.kind not in ("hq", "ako", "loc"):
         return indirect(Question("yesno", about), "robot")
     ask = "where" if main.kind == "loc" else "what"

@@ -8,7 +8,7 @@ from grammars.render import definite, thing_in_words
 from grammars.render.questions import claim
 from grammars.render.reasons import lines, taught
 from grammars.render.telling import Telling
-from grammars.replies import Said, listed, renders
+from grammars.replies import Said, aloud, listed, renders
 from kernel.memory.explanation import Knowledge
 from kernel.net.graphlet import Graphlet
 
@@ -30,7 +30,7 @@ def knowledge(reply: Knowledge) -> Said:
     if not told:
         about = reply.question.about
         told = [f"I know nothing about {thing_in_words(about.main, (about,))}"]
-    return Said(lines(told), lines(told[:SPOKEN]).replace('"', ""))
+    return Said(lines(told), aloud(lines(told[:SPOKEN])))
 
 
 def _claims(facts: Sequence[Graphlet], everything: Sequence[Graphlet]) -> str:

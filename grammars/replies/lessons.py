@@ -7,7 +7,7 @@ from typing import Final
 
 from grammars.render import render, thing_in_words
 from grammars.render.reasons import asked_act, exact_words, lines, teacher
-from grammars.replies import Said, renders
+from grammars.replies import Said, both, renders
 from kernel.memory.explanation import Lessons
 from kernel.memory.lesson import Lesson
 from kernel.memory.meaning import Question
@@ -26,10 +26,8 @@ _NONE: Final = {
 def lessons(reply: Lessons) -> Said:
     """ "Freddy taught me: to bow lower the lift then raise the lift; never turn right. And 3 more." """
     if not reply.lessons:
-        said = lines([_none(reply.question)])
-        return Said(said, said)
-    shown = lines(_told(reply.lessons, reply.revised))
-    return Said(shown, shown.replace('"', ""))
+        return both(lines([_none(reply.question)]))
+    return both(lines(_told(reply.lessons, reply.revised)))
 
 
 def _told(found: tuple[Lesson, ...], revised: tuple[Lesson, ...]) -> list[str]:

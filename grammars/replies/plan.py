@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from grammars.render import act_in_words
 from grammars.render.moments import lasting
 from grammars.render.reasons import lines
-from grammars.replies import Said, renders
+from grammars.replies import Said, aloud, renders
 from grammars.replies.because import trouble_in_words
 from kernel.memory.explanation import Plan, PlanStep
 
@@ -17,7 +17,7 @@ MOST_SPOKEN = 6  # steps
 @renders(Plan)
 def plan(reply: Plan) -> Said:
     """ "I would drive forward, then drive backward, then turn left, then turn right: 4 seconds in all." """
-    return Said(lines(_told(reply, True)), lines(_told(reply, False)).replace('"', ""))
+    return Said(lines(_told(reply, True)), aloud(lines(_told(reply, False))))
 
 
 def _told(reply: Plan, timed: bool) -> list[str]:

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from grammars.render import act_in_words, claim_in_words
-from grammars.render.reasons import exact_words
-from grammars.render.things import literally, proper
+from grammars.render.reasons import exact_words, said_by
+from grammars.render.things import literally
 from grammars.replies import Said, aloud, renders, sentence
 from kernel.memory.lesson import LEARN
 from kernel.memory.reply import Refused
@@ -14,9 +14,8 @@ from kernel.memory.reply import Refused
 def refused(reply: Refused) -> Said:
     """ "I may not grab Mary: Freddy told me "never grab a person"." """
     lesson = reply.by
-    who = f"{proper(lesson.teacher)} told me" if lesson.teacher else "I was told"
     learning = reply.act.head is not None and reply.act.head.lex == {LEARN}
     act = "learn that" if learning else act_in_words(reply.act)
-    said = f"I may not {act}: {who} {literally(exact_words(lesson))}"
+    said = f"I may not {act}: {said_by(lesson.teacher)} {literally(exact_words(lesson))}"
     reasons = " and ".join(claim_in_words(graphlet) for graphlet in reply.because)
     return Said(sentence(f"{said}, and {reasons}" if reasons else said), aloud(said))

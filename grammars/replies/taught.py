@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from grammars.render import claim_in_words
 from grammars.render.reasons import asked_act, lines, reasoning, taught, told
-from grammars.replies import Said, renders
+from grammars.replies import Said, both, renders
 from kernel.memory.explanation import Taught
 from kernel.net.graphlet import Term
 
@@ -14,8 +14,7 @@ MOST = 2  # lessons told in one answer
 @renders(Taught)
 def who_taught(reply: Taught) -> Said:
     """ "Freddy taught me: to bow lower the lift then raise the lift." """
-    shown = lines(_told(reply))
-    return Said(shown, shown.replace('"', ""))
+    return both(lines(_told(reply)))
 
 
 def _told(reply: Taught) -> list[str]:
