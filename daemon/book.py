@@ -33,8 +33,7 @@ class Book:
 
     async def lessons(self, after: int = 0, most: int | None = None) -> tuple[Row, ...]:
         """Lessons with a greater number, at most so many."""
-        found = await self._aside.run(rows, self._history(), self._resting)
-        return tuple(row for row in found if row.ident > after)[:most]
+        return await self._aside.run(rows, self._history(), self._resting, after, most)
 
     async def log(self, last: int) -> tuple[Entry, ...]:
         """The last entries of the log.

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Sequence
+from functools import cached_property
 from typing import Final, Literal, cast
 
 import msgspec
@@ -19,7 +20,7 @@ Standing = Literal["in force", "taken back", "rests"]
 IN_FORCE: Final = "in force"
 
 
-class Row(msgspec.Struct, frozen=True, kw_only=True):
+class Row(msgspec.Struct, frozen=True, kw_only=True, dict=True):
     """One lesson and how it stands.
 
     Attributes:
@@ -48,7 +49,7 @@ class Row(msgspec.Struct, frozen=True, kw_only=True):
         """It is in force."""
         return self.standing == IN_FORCE
 
-    @property
+    @cached_property
     def lesson(self) -> Lesson:
         """The lesson of a row that does not rest.
 
@@ -59,7 +60,7 @@ class Row(msgspec.Struct, frozen=True, kw_only=True):
         kind = cast(LessonKind, self.kind)
         return Lesson(self.ident, kind, content, self.words, self.teacher, self.at_s, self.origins)
 
-    @property
+    @cached_property
     def taught(self) -> float:
         """The strength it was taught with; as it is now where the notation cannot be read."""
         try:
@@ -67,7 +68,7 @@ class Row(msgspec.Struct, frozen=True, kw_only=True):
         except NotationError:
             return self.strength
 
-    @property
+    @cached_property
     def text(self) -> str:
         """The lesson in English, in the teacher's voice; his words where the net cannot be read."""
         try:
@@ -76,40 +77,54 @@ class Row(msgspec.Struct, frozen=True, kw_only=True):
             return self.words
 
 
-def rows(changes: Sequence[Change], resting: Iterable[Resting] = ()) -> tuple[Row, ...]:
-    """Every lesson of a journal, by number, those taken back as well; and those that rest."""
+def rows(
+    changes: Sequence[Change],
+    resting: Iterable[Resting] = (),
+    after: int = 0,
+    most: int | None = None,
+) -> tuple[Row, ...]:
+    """Lessons of a journal, by number, those taken back as well; and those that rest.
+
+    Only those with a number greater than `after`, at most `most`: to write a net costs more than to find it.
+    """
     policy = Policy()
     for change in changes:
         policy.apply(change)
-    return tuple(sorted(_rows(policy, changes, resting), key=lambda row: row.ident))
-
-
-def _rows(policy: Policy, changes: Sequence[Change], resting: Iterable[Resting]) -> Iterator[Row]:
     retracted = {n for c in changes if policy.counts(c.ident) for n in c.retracted}
-    for change in changes:
-        for lesson in change.learned:
-            yield Row(
-                ident=lesson.ident,
-                kind=lesson.kind,
-                notation=write(lesson.content),
-                words=lesson.words,
-                teacher=lesson.teacher,
-                at_s=lesson.at_s,
-                origins=lesson.origins,
-                strength=policy.strength(lesson),
-                standing="in force" if lesson.ident in policy.lessons else "taken back",
-            )
-    for sleeper in resting:
-        gone = sleeper.ident in retracted or not policy.counts(sleeper.change)
-        yield Row(
-            ident=sleeper.ident,
-            kind=sleeper.kind,
-            words=sleeper.words,
-            teacher=sleeper.teacher,
-            at_s=sleeper.at_s,
-            standing="taken back" if gone else "rests",
-            why=sleeper.why,
-        )
+    learned = (lesson for change in changes for lesson in change.learned)
+    everything: list[Lesson | Resting] = [*learned, *resting]
+    found = [x for x in everything if x.ident > after]
+    return tuple(
+        _asleep(x, policy, retracted) if isinstance(x, Resting) else _awake(x, policy)
+        for x in sorted(found, key=lambda x: x.ident)[:most]
+    )
+
+
+def _awake(lesson: Lesson, policy: Policy) -> Row:
+    return Row(
+        ident=lesson.ident,
+        kind=lesson.kind,
+        notation=write(lesson.content),
+        words=lesson.words,
+        teacher=lesson.teacher,
+        at_s=lesson.at_s,
+        origins=lesson.origins,
+        strength=policy.strength(lesson),
+        standing="in force" if lesson.ident in policy.lessons else "taken back",
+    )
+
+
+def _asleep(sleeper: Resting, policy: Policy, retracted: set[int]) -> Row:
+    gone = sleeper.ident in retracted or not policy.counts(sleeper.change)
+    return Row(
+        ident=sleeper.ident,
+        kind=sleeper.kind,
+        words=sleeper.words,
+        teacher=sleeper.teacher,
+        at_s=sleeper.at_s,
+        standing="taken back" if gone else "rests",
+        why=sleeper.why,
+    )
 
 
 def rows_of(loaded: Loaded) -> tuple[Row, ...]:

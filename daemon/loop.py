@@ -255,8 +255,6 @@ class Cycle:
 
     def _settle_lessons(self, now_s: float) -> None:
         """Told only after the tick in which the mind took them into force."""
-        if not self._kept:
-            return
         while self._kept:
             result = self._kept.pop(0)
             self._keeping.discard(result.key)

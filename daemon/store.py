@@ -167,6 +167,8 @@ class Store:
             )
             for adapted in change.adapted:
                 self._adapt(ident, adapted)
+            if change.adapted:
+                self._tidy()
         return replace(change, ident=ident, learned=learned)
 
     def _add_lesson(self, lesson: Lesson, change: int) -> Lesson:
@@ -199,6 +201,9 @@ class Store:
             " ORDER BY adaptation.change DESC LIMIT -1 OFFSET ?)",
             (adapted.lesson, adapted.lesson, ADAPTATIONS_KEPT),
         )
+
+    def _tidy(self) -> None:
+        """Forget changes of the robot's own of which nothing is left."""
         self._db.execute(
             "DELETE FROM change WHERE own AND ident NOT IN (SELECT change FROM adaptation)"
             " AND ident NOT IN (SELECT change FROM lesson) AND ident NOT IN (SELECT undone FROM undoing)"

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 
 from daemon.control.messages import NAME_LENGTH
 from daemon.lessonfile import Line
@@ -13,7 +13,7 @@ from grammars.errors import NotUnderstoodError
 from grammars.knowledge import born
 from grammars.parse import parse
 from grammars.replies import say
-from grammars.vocabulary import Vocabulary, from_policy
+from grammars.vocabulary import Vocabulary, extended, from_policy
 from kernel.managing import whole
 from kernel.memory.lesson import Content, Lesson, LessonKind
 from kernel.memory.meaning import Fact, Meaning, Teach
@@ -46,19 +46,11 @@ class Plan:
 class _Reading:
     """Words as they become known, line by line."""
 
-    policy: list[Lesson]
-    vocabulary: Vocabulary = field(init=False)
-
-    def __post_init__(self) -> None:
-        self.vocabulary = from_policy(self.policy)
+    vocabulary: Vocabulary
 
     def learn(self, lesson: Lesson) -> None:
-        """Know its words; the whole vocabulary is made again only where it brings some."""
-        self.policy.append(lesson)
-        taught = self.vocabulary.taught
-        brought = from_policy([lesson]).taught
-        if any(readings.keys() - taught.get(word, {}) for word, readings in brought.items()):
-            self.vocabulary = from_policy(self.policy)
+        """Know its words, as the robot will when the line is said (daemon/loop.py)."""
+        self.vocabulary = extended(self.vocabulary, [lesson])
 
 
 def plan(lines: Sequence[Line], rows: Iterable[Row]) -> Plan:
@@ -68,7 +60,7 @@ def plan(lines: Sequence[Line], rows: Iterable[Row]) -> Plan:
     """
     in_force = [row.lesson for row in rows if row.counts]
     known = Counter(map(_key, in_force))
-    reading = _Reading([*born(), *in_force])
+    reading = _Reading(from_policy([*born(), *in_force]))
     new: list[tuple[Line, Lesson]] = []
     repeated: list[Line] = []
     wrong: list[Wrong] = []

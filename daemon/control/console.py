@@ -23,6 +23,7 @@ from prompt_toolkit.patch_stdout import patch_stdout
 from daemon.app import App
 from daemon.config import Config, socket_path, state_dir, store_path
 from daemon.control import messages
+from daemon.control.common import clean
 from daemon.control.completing import Words
 from daemon.control.reach import Reach, reach
 from daemon.control.report import line
@@ -145,8 +146,7 @@ class Console:
         elif len(text) > messages.TEXT_LENGTH:
             print(f"not said: a sentence has at most {messages.TEXT_LENGTH} characters")
         else:
-            text = text.encode("utf-8", errors="replace").decode("utf-8")
-            self._send(messages.Say(v=1, id=self._next(), text=text, speaker=self._speaker))
+            self._send(messages.Say(v=1, id=self._next(), text=clean(text), speaker=self._speaker))
 
     def _slash(self, command: str, rest: str) -> None:
         """In a thread: it waits for the daemon."""

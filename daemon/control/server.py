@@ -204,19 +204,18 @@ class _Talk:
         task.add_done_callback(self._running.discard)
 
     async def _run(self, request: Slow) -> None:
-        unsubscribe = self._desk.subscribe(
-            lambda event: (
-                self.answer(Happened(id=request.id, event=events.as_dict(event)))
-                if not isinstance(request, messages.Lessons | messages.Log)
-                else None
-            )
-        )
+        def tell(event: events.Event) -> None:
+            self.answer(Happened(id=request.id, event=events.as_dict(event)))
+
+        reads = isinstance(request, messages.Lessons | messages.Log)
+        unsubscribe = None if reads else self._desk.subscribe(tell)
         try:
             self.answer(await self._answered(request))
         except (OSError, ValueError, sqlite3.Error) as error:
             self.answer(Wrong(id=request.id, error=str(error)))
         finally:
-            unsubscribe()
+            if unsubscribe is not None:
+                unsubscribe()
 
     async def _answered(self, request: Slow) -> messages.Answer:
         desk, ident = self._desk, request.id

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Sequence
-from types import TracebackType
 from typing import Final, Self
 
 from rich.console import Console, Group
@@ -12,6 +11,7 @@ from rich.panel import Panel
 from rich.text import Text
 
 from daemon import events as ev
+from daemon.closing import Closing
 from daemon.demo.result import Result, table
 from daemon.demo.track import Outline, box, colour, draw
 from daemon.motion import Sample
@@ -23,7 +23,7 @@ COLUMNS: Final = 64
 ROWS: Final = 14
 
 
-class Show:
+class Show(Closing):
     """Args:
     console: where to; lines only, if it is no terminal.
     things: what stands in the world now.
@@ -92,14 +92,10 @@ class Show:
     def __enter__(self) -> Self:
         if self._console.is_terminal:
             self._live.start()
-        return self
+        return super().__enter__()
 
-    def __exit__(
-        self,
-        kind: type[BaseException] | None,
-        error: BaseException | None,
-        trace: TracebackType | None,
-    ) -> None:
+    def close(self) -> None:
+        """Leave the last picture standing."""
         self._live.stop()
 
 
