@@ -40,6 +40,8 @@ EXAMPLES = (
     "what happens before you turn left",
     "what do you do after you turn left",
     "what would you do if I said turn left then grab the block",
+    "what would you do if I said turn left while the gripper is empty",
+    "what would you do if I said grab each blue block",
     "show me what you would do if something is very close",
 )
 # Bracket to question word and topic, for questions about the robot's own doings and lessons.

@@ -69,8 +69,7 @@ def _would(telling: Telling, asked: Question, you: str) -> str:
     """What is supposed, said or so."""
     if asked.chain is None:
         return f"what would {you} do if {conditions(telling, asked.about)}"
-    known = tuple(d.graphlet for d in asked.chain.directives() if d.graphlet)
-    steps = procedure(Telling(known, (), telling.voice), asked.chain)
+    steps = procedure(Telling(tuple(asked.chain.graphlets()), (), telling.voice), asked.chain)
     return f"what would {you} do if {'you' if you == 'I' else 'I'} said {steps}"
 
 
