@@ -141,7 +141,7 @@ def choosing(size: int) -> None:
     for tag, node in acts * max(1, 300 // len(acts)):
 
         def choose() -> None:
-            selection = Selection(commons, focus, (), 0.5, node, (node,))  # noqa: B023
+            selection = Selection(commons, focus, (), node, (node,))  # noqa: B023
             found = list(selection.applicable(tag))  # noqa: B023
             weights = choice_weights(
                 [c.operator.preference for c in found], [c.specificity for c in found]

@@ -7,7 +7,7 @@ the taught value, never above; only praise raises above it. What prepares, tidie
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Generator, Iterable
 from dataclasses import replace
 from typing import Final
 
@@ -42,8 +42,7 @@ def begun(commons: Commons, focus: Focus, lesson: Lesson) -> None:
 
     A reaction to being praised is not what is praised.
     """
-    meaning = focus.heard.meaning if focus.heard else None
-    if meaning is None or isinstance(meaning, Command | Fact | Revision):
+    if focus.meaning is None or isinstance(focus.meaning, Command | Fact | Revision):
         commons.recent.deed = lesson
 
 
@@ -70,17 +69,22 @@ def feedback(commons: Commons, focus: Focus, *, good: bool, answered: bool = Fal
 
     answered: it was a stop as well, and the robot has said that it stopped.
     """
-    lesson = blamed = commons.recent.deed
-    if lesson is not None and adapts(lesson) and lesson.ident in commons.lessons:
-        yield from commons.commit(focus, feedback_change(commons, focus, lesson, good=good))
-    else:
-        blamed = None
+    judged = yield from judge(commons, focus, good=good)
     if not answered:
-        commons.replies.append(FeedbackTaken(good, blamed))
+        commons.replies.append(FeedbackTaken(good, judged))
     return Verdict.SUCCEEDED
 
 
-def feedback_change(commons: Commons, focus: Focus, lesson: Lesson, *, good: bool) -> Change:
+def judge(commons: Commons, focus: Focus, *, good: bool) -> Generator[None, None, Lesson | None]:
+    """Praise or blame the operator of the last deed; which one that was, None where none can be."""
+    deed = commons.recent.deed
+    if deed is None or not adapts(deed) or deed.ident not in commons.lessons:
+        return None
+    yield from commons.commit(focus, _feedback_change(commons, focus, deed, good=good))
+    return deed
+
+
+def _feedback_change(commons: Commons, focus: Focus, lesson: Lesson, *, good: bool) -> Change:
     """One word of praise or blame, within the bounds."""
     strength = commons.policy.strength(lesson)
     if good:

@@ -45,8 +45,13 @@ class AdvisedStep:
         self.failed: list[Lesson] = []
         self.deed = 0  # its number, where this is a DO
         self.complained = False
-        self.selection = Selection(self.commons, self.focus, frame.within, frame.threshold)
-        self.selection.desperate, self.selection.supposed = frame.desperate, frame.supposed
+        self.selection = Selection(
+            self.commons,
+            self.focus,
+            frame.within,
+            supposed=frame.supposed,
+            desperate=frame.desperate,
+        )
         graphlet = directive.graphlet
         if graphlet is None or directive.tag in WITHOUT_NODES:
             return
@@ -154,7 +159,6 @@ class AdvisedStep:
         if self.selection.desperate:
             return False
         self.selection.desperate = True
-        self.selection.threshold = self.commons.settings.desperate_threshold
         return True
 
     def run(self, advice: Advice, over: Callable[[], bool] | None = None) -> Run:
@@ -193,7 +197,7 @@ class AdvisedStep:
 
     def question(self) -> Question | None:
         """The question at hand, if the focus is one."""
-        meaning = self.focus.heard.meaning if self.focus.heard else None
+        meaning = self.focus.meaning
         return meaning if isinstance(meaning, Question) else None
 
 

@@ -3,7 +3,7 @@ imagination. Each topic is answered by a file in kernel.answering; what is so in
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass, replace
 from operator import attrgetter
@@ -43,8 +43,7 @@ class Asking:
     @property
     def asked(self) -> Asked:
         """When it was asked."""
-        said = self.focus.heard.utterance if self.focus.heard else None
-        return Asked(said.at_s if said else 0.0, self.commons.settings.utc_offset_s)
+        return Asked(self.focus.at_s, self.commons.settings.utc_offset_s)
 
     @property
     def main(self) -> Term:
@@ -109,6 +108,12 @@ class Asking:
         """It is neither born knowledge nor a fact of the session."""
         return 0 < lesson.ident < SESSION
 
+    def call_to_mind(self, nodes: Iterable[Node]) -> None:
+        """These are in mind as long as the question is."""
+        self.focus.nodes |= dict.fromkeys(nodes)
+        self.commons.memory.changed()
+        self.commons.memory.refresh()
+
     @contextmanager
     def supposed(self, graphlet: Graphlet) -> Iterator[Binding]:
         """Have what the net describes in mind for a moment, about the things that are known.
@@ -119,9 +124,7 @@ class Asking:
         known = grounded(graphlet, memory)
         binding = memory.instantiate(graphlet, known)
         made = [node for name, node in binding.items() if name not in known]
-        self.focus.nodes |= dict.fromkeys((*made, *known.values()))
-        memory.changed()
-        memory.refresh()
+        self.call_to_mind((*made, *known.values()))
         try:
             yield binding
         finally:
@@ -132,7 +135,7 @@ class Asking:
     def applicable(self, tag: str, node: Node, facts: tuple[Node, ...] = ()) -> list[Chosen]:
         """Operators that would apply to a supposed act, or to supposed facts."""
         commons = self.commons
-        selection = Selection(commons, self.focus, (), commons.settings.threshold, node, facts)
+        selection = Selection(commons, self.focus, (), node, facts)
         return list(selection.applicable(tag))
 
     def ways_to(self, act: Graphlet) -> list[Lesson]:

@@ -136,7 +136,7 @@ def sighted(commons: Commons, focus: Focus, act: Node, sighting: Sighting) -> No
     for fact in seen(sighting):
         bound = commons.memory.instantiate(fact, {})
         focus.nodes |= dict.fromkeys(bound.values())
-    meaning = focus.heard.meaning if focus.heard else None
+    meaning = focus.meaning
     if isinstance(meaning, Command) and any(
         directive.tag == "DO" and directive.graphlet and directive.graphlet.words() & act.words()
         for directive in meaning.chain.directives()

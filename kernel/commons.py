@@ -173,8 +173,10 @@ class Commons:
     def may(self, person: str, lesson: Lesson) -> bool:
         """Whether somebody may lift, forget or undo a prohibition: its teacher or the owner; anybody without owner."""
         owner = self.settings.owner.lower()
-        prohibits = isinstance(lesson.content, Operator) and lesson.content.prohibits
-        return not (owner and prohibits) or person.lower() in {owner, lesson.teacher.lower()} - {""}
+        return not (owner and lesson.prohibits) or person.lower() in {
+            owner,
+            lesson.teacher.lower(),
+        } - {""}
 
     def lifted(self, person: str, content: Content) -> Lesson | None:
         """The prohibition in force that this permission would lift although the person may not.

@@ -106,13 +106,13 @@ def _asked(
     things = tuple(sorted(things, key=lambda node: node.stamp))  # as they were mentioned
     question = ask_which(graphlet, things)
     until_s = commons.tick.now_s + PATIENCE_S
-    asked = Which(frame.focus.number, question, things, until_s)
+    asked = Which(frame.focus.number, question, things)
     commons.which = asked
     commons.replies.append(question)
     commons.record("asked", frame.focus, text=missing(Directive("FIND", graphlet)))
     try:
         while asked.chosen is None:
-            if commons.which is not asked or commons.tick.now_s >= asked.until_s:
+            if commons.which is not asked or commons.tick.now_s >= until_s:
                 frame.explain("not_answered", None, about=(graphlet,))
                 return None
             frame.focus.waits.add("answer")

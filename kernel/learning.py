@@ -45,10 +45,7 @@ def learn(commons: Commons, focus: Focus) -> Learning:
         change = replace(change, retracted=(old.ident,))
     elif (doubt := _doubt(commons, lesson)) is not None:
         why, other = doubt
-        until_s = commons.tick.now_s + PATIENCE_S
-        answer = yield from _answer(
-            commons, focus, Doubt(lesson, why, other, until_s, focus.number)
-        )
+        answer = yield from _answer(commons, focus, Doubt(lesson, why, other, focus.number))
         if answer == "cancel":
             commons.replies.append(LessonDropped(lesson))
             return True
@@ -107,10 +104,11 @@ def _doubt(commons: Commons, lesson: Lesson) -> tuple[Why, Lesson | None] | None
 
 def _answer(commons: Commons, focus: Focus, doubt: Doubt) -> Generator[None, None, str]:
     """Ask, and wait for the answer: until another utterance, a stop, or time closes the question."""
+    until_s = commons.tick.now_s + PATIENCE_S
     commons.doubt = doubt
     commons.replies.append(doubt.question)
     try:
-        while commons.doubt is doubt and not doubt.answer and commons.tick.now_s < doubt.until_s:
+        while commons.doubt is doubt and not doubt.answer and commons.tick.now_s < until_s:
             focus.waits.add("answer")
             yield
     finally:

@@ -179,7 +179,7 @@ def _ways(commons: Commons, act: Graphlet) -> list[Lesson]:
         operator = lesson.content
         if lesson.ident <= INNATE or not isinstance(operator, Operator):
             continue
-        trigger = operator.trigger.graphlet if operator.trigger.tag == "DO" else None
+        trigger = operator.does
         if trigger is not None and covers(act, (trigger,), trigger):
             narrow.append(lesson)
         elif trigger is not None and covers(trigger, (act,), act):

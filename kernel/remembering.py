@@ -52,7 +52,7 @@ def remembered(commons: Commons, focus: Focus, number: int, run: Run) -> Run:
 
 def unreached(commons: Commons, focus: Focus, verdict: Verdict) -> None:
     """A command has come to nothing: the deeds it asked for that never began are remembered with the reason."""
-    meaning = focus.heard.meaning if focus.heard else None
+    meaning = focus.meaning
     if verdict is Verdict.FAILED and focus.lesson is not None:  # it may not be taught
         _never_began(commons, focus, verdict, LEARNING)
     if verdict.ok or not isinstance(meaning, Command):

@@ -13,7 +13,7 @@ from dataclasses import replace
 from kernel.action.chain import Chain, Directive
 from kernel.action.step import Run
 from kernel.action.verdict import Verdict
-from kernel.adapting import adapts, feedback_change
+from kernel.adapting import judge
 from kernel.commons import Commons
 from kernel.managing import last_taught, with_chunks
 from kernel.memory.attention import Focus
@@ -103,8 +103,7 @@ def _named(commons: Commons, act: Graphlet) -> Iterator[tuple[Lesson, Operator]]
         operator = lesson.content
         if lesson.ident <= INNATE or not isinstance(operator, Operator):
             continue
-        trigger = operator.trigger.graphlet
-        if operator.trigger.tag == "DO" and trigger and covers(act, (trigger,), trigger):
+        if (done := operator.does) is not None and covers(act, (done,), done):
             yield lesson, operator
 
 
@@ -145,8 +144,7 @@ def _instead(commons: Commons, focus: Focus, chain: Chain) -> Run:
     recent = commons.recent
     if recent.focus is not None and recent.focus.ended_s is None:
         recent.focus.dismissed = True
-    if (deed := recent.deed) is not None and adapts(deed) and deed.ident in commons.lessons:
-        yield from commons.commit(focus, feedback_change(commons, focus, deed, good=False))
+    yield from judge(commons, focus, good=False)
     return (yield from obey(commons, focus, Command(chain)))
 
 

@@ -217,8 +217,7 @@ class Frame:
     @property
     def threshold(self) -> float:
         """Belief below which nothing counts here."""
-        settings = self.commons.settings
-        return settings.desperate_threshold if self.desperate else settings.threshold
+        return self.commons.settings.premises(self.desperate)
 
     def mention(self, node: Node) -> None:
         """The node is in mind for as long as this focus, with what describes it."""

@@ -37,21 +37,24 @@ class Selection:
     Attributes:
         within: operators being carried out already; their advice does not apply to the carrying out of itself.
         node: the directive's main node; facts: the nodes noted, for NOTE.
-        threshold: belief below which a match does not count.
         supposed: nodes of the condition that is entertained (kernel.hypothesis): triggers see them, nothing else does.
-        desperate: what is hardly liked is considered too.
+        desperate: what is hardly believed or hardly liked counts too.
         ruled_out: the only operators that apply are being run already.
     """
 
     commons: Commons
     focus: Focus
     within: tuple[Lesson, ...]
-    threshold: float
     node: Node | None = None
     facts: tuple[Node, ...] = ()
     supposed: frozenset[Node] = frozenset()
     desperate: bool = False
     ruled_out: bool = False
+
+    @property
+    def threshold(self) -> float:
+        """Belief below which a match does not count."""
+        return self.commons.settings.premises(self.desperate)
 
     def applicable(self, tag: str) -> Iterator[Chosen]:
         """Operators of the tag whose trigger and enablement match."""

@@ -56,5 +56,5 @@ def _learn(commons: Commons, focus: Focus, rule: Rule, origins: tuple[int, ...])
         lesson.content == rule for _, kept in commons.pending.values() for lesson in kept.learned
     )
     if not waiting and commons.memory.rules.is_new(rule):
-        own = Lesson(0, "rule", rule, at_s=focus.changing().at_s, origins=origins)
+        own = Lesson(0, "rule", rule, at_s=focus.at_s, origins=origins)
         commons.keep(focus, Change(at_s=own.at_s, learned=(own,), own=True))

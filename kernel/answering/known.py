@@ -25,9 +25,7 @@ def know_about(asking: Asking) -> Knowledge:
         if match[about.main].kind in THINGS
     ]
     things = _meant(asking, list(dict.fromkeys(things))) if said.terms else []
-    asking.focus.nodes |= dict.fromkeys(things)
-    memory.changed()
-    memory.refresh()
+    asking.call_to_mind(things)
     facts: list[Graphlet] = []
     inferred: list[Graphlet] = []
     words = about.words()

@@ -6,7 +6,7 @@ from kernel.asking import Asking, answers
 from kernel.memory.experience import Source
 from kernel.memory.explanation import Taught
 from kernel.memory.inference import inferences
-from kernel.memory.lesson import Lesson, Operator, Rule
+from kernel.memory.lesson import Lesson, Rule
 from kernel.memory.meant import grounded, words_alike
 from kernel.memory.recall import THINGS, is_so
 from kernel.net.graphlet import Graphlet
@@ -27,7 +27,7 @@ def taught(asking: Asking) -> Taught:
     tags = ("ANTE",) if asking.main.negated else ("DO",)
     lessons = asking.about_acts(act, *tags)
     if asking.main.negated:
-        lessons = [lesson for lesson in lessons if prohibits(lesson)]
+        lessons = [lesson for lesson in lessons if lesson.prohibits]
     if not lessons and not asking.main.negated:
         ways = asking.ways_to(act)
         lessons = list(filter(asking.was_taught, ways))
@@ -51,11 +51,6 @@ def _steps_of(asking: Asking, act: Graphlet) -> list[Lesson]:
     return asking.with_step(act)
 
 
-def prohibits(lesson: Lesson) -> bool:
-    """It forbids something."""
-    return isinstance(lesson.content, Operator) and lesson.content.prohibits
-
-
 def _newest(asking: Asking) -> Taught:
     lesson = next((x for x in reversed(asking.lessons) if not x.origins), None)
     told = next(reversed(asking.commons.experience.sources.values()), None)
@@ -69,9 +64,7 @@ def provenance(asking: Asking) -> Taught:
     commons, about = asking.commons, asking.question.about
     memory = commons.memory
     known = grounded(about, memory)
-    asking.focus.nodes |= dict.fromkeys(known.values())
-    memory.changed()
-    memory.refresh()
+    asking.call_to_mind(known.values())
     start = {name: node for name, node in known.items() if name in about.mentioned}
     if not start and (rules := _rules(asking, about)):  # "a girl is a person": nobody in particular
         return Taught(asking.question, asking.asked, tuple(rules))
@@ -92,10 +85,13 @@ def provenance(asking: Asking) -> Taught:
 
 def fact_lesson(asking: Asking, node: Node) -> Lesson | None:
     """The stored lesson that says of the node what it says."""
-    net = asking.commons.memory.net
-    for lesson in reversed(asking.lessons):
+    commons = asking.commons
+    for ident in sorted(commons.facts, reverse=True):
+        lesson = commons.lessons[ident]
         fact = lesson.content
-        if isinstance(fact, Graphlet) and holds(fact, net, REMEMBERED, {fact.main: node}, 0.0):
+        if not asking.was_taught(lesson) or not isinstance(fact, Graphlet):
+            continue
+        if holds(fact, commons.memory.net, REMEMBERED, {fact.main: node}, 0.0):
             return lesson
     return None
 

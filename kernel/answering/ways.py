@@ -101,11 +101,8 @@ def _said(about: Graphlet) -> str | None:
 
 def _is_called(lesson: Lesson, phrase: str) -> bool:
     operator = lesson.content
-    if not isinstance(operator, Operator) or operator.trigger.graphlet is None:
-        return False
-    trigger = operator.trigger.graphlet
-    words = trigger.head.lex if trigger.head is not None else ()
-    return operator.trigger.tag == "DO" and phrase.lower() in words
+    done = operator.does if isinstance(operator, Operator) else None
+    return done is not None and done.head is not None and phrase.lower() in done.head.lex
 
 
 @answers("abilities")
@@ -118,9 +115,9 @@ def abilities(asking: Asking) -> Abilities:
         for verb in SHOWN.get(name, grounding.verbs[:1])
     ]
     acts = [
-        lesson.content.trigger.graphlet
+        lesson.content.does
         for lesson in reversed(asking.lessons)
-        if isinstance(lesson.content, Operator) and lesson.content.trigger.tag == "DO"
+        if isinstance(lesson.content, Operator)
     ]
     verbs: dict[frozenset[str], Graphlet] = {}
     for act in acts:
@@ -134,10 +131,6 @@ def allowed(asking: Asking) -> Reply:
     """A dry run finds whatever would forbid it, also a step of it; without an act, the prohibitions there are."""
     act = asking.act
     if act is None:
-        forbidding = [
-            lesson
-            for lesson in reversed(asking.lessons)
-            if isinstance(lesson.content, Operator) and lesson.content.prohibits
-        ]
+        forbidding = [lesson for lesson in reversed(asking.lessons) if lesson.prohibits]
         return Lessons(asking.question, tuple(forbidding))
     return Allowed(asking.question, asking.imagine(asking.command(act)).trouble)

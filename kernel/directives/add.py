@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from kernel.action.step import Run, Step, directive
 from kernel.action.verdict import Verdict
+from kernel.action.vetoing import vetoed
 
 
 @directive("ADD")
@@ -13,8 +14,6 @@ def add(step: Step) -> Run:
     Learning is an act like others: ANTE operators on it come first, and a PUNT in one of them forbids it ("don't let
     Rick teach you"). A veto on whatever somebody tells the robot to do is no veto on learning.
     """
-    for operator in step.operators("ANTE"):
-        if (yield from step.run(operator)) is Verdict.PUNTED:
-            step.explain("prohibited")
-            return Verdict.FAILED
+    if (yield from vetoed(step)):
+        return Verdict.FAILED
     return (yield from step.learn())

@@ -15,7 +15,7 @@ from kernel.action.verdict import Verdict
 from kernel.memory.change import Change
 from kernel.memory.inference import Inference
 from kernel.memory.lesson import Lesson
-from kernel.memory.meaning import Heard
+from kernel.memory.meaning import Heard, Meaning
 from kernel.memory.recent import Saying
 from kernel.memory.reply import Reason, Reply
 from kernel.net.graphlet import Graphlet
@@ -115,10 +115,19 @@ class Focus:
         """The utterance it descends from, "" for none."""
         return self.heard.utterance.text if self.heard else ""
 
+    @property
+    def meaning(self) -> Meaning | None:
+        """What that utterance means."""
+        return self.heard.meaning if self.heard else None
+
+    @property
+    def at_s(self) -> float:
+        """When it was said, wall time, s since 1970; 0 for none."""
+        return self.heard.utterance.at_s if self.heard else 0.0
+
     def changing(self) -> Change:
         """A change on behalf of who spoke, with nothing in it yet."""
-        at_s = self.heard.utterance.at_s if self.heard else 0.0
-        return Change(by=self.by, words=self.words, at_s=at_s)
+        return Change(by=self.by, words=self.words, at_s=self.at_s)
 
 
 class Attention:

@@ -83,13 +83,7 @@ class Halo:
         self._seed(changes)
         self._review(words, BAND_1)
         self._settle(BAND_1)
-        changes = self._net.take_changes()
-        if changes:
-            self._withdraw(self._fired.resting_on((*changes.dropped, *changes.altered), BAND_2))
-            self._seed(changes)
-            self._review(telling_words(changes), BAND_2)
-        self._settle(BAND_2)
-        self._net.take_changes()  # band 2 concerns no rule
+        self._second_band()
 
     def rebuild(self) -> None:
         """Derive everything afresh."""
@@ -100,11 +94,17 @@ class Halo:
         for rule in self._rules.possible(self._net):
             self._match(rule)
         self._settle(BAND_1)
+        self._second_band()
+
+    def _second_band(self) -> None:
+        """Conclude from what the first band has changed."""
         changes = self._net.take_changes()
-        self._seed(changes)
-        self._review(telling_words(changes), BAND_2)
+        if changes:
+            self._withdraw(self._fired.resting_on((*changes.dropped, *changes.altered), BAND_2))
+            self._seed(changes)
+            self._review(telling_words(changes), BAND_2)
         self._settle(BAND_2)
-        self._net.take_changes()
+        self._net.take_changes()  # band 2 concerns no rule
 
     def _clear(self) -> None:
         """Conclude nothing."""

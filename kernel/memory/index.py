@@ -30,9 +30,6 @@ class WordIndex(Generic[T]):
     def __len__(self) -> int:
         return len(self._entries)
 
-    def __contains__(self, item: T) -> bool:
-        return item in self._entries
-
     def add(self, item: T, keys: Iterable[str], words: Iterable[str]) -> None:
         """File an item. words: all of them have to be in the net for the item to be of any use."""
         keys, words = frozenset(keys), frozenset(words)

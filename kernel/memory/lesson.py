@@ -64,6 +64,11 @@ class Operator:
         return (trigger, *self.enablement) if trigger is not None else self.enablement
 
     @property
+    def does(self) -> Graphlet | None:
+        """The act that it says how to do; None for what is no way of doing anything."""
+        return self.trigger.graphlet if self.trigger.tag == "DO" else None
+
+    @property
     def prohibits(self) -> bool:
         """An ANTE operator that ends in PUNT."""
         return self.trigger.tag == "ANTE" and any(d.tag == "PUNT" for d in self.chain.directives())
@@ -115,6 +120,11 @@ class Lesson:
     teacher: str = ""
     at_s: float = 0.0
     origins: tuple[int, ...] = ()
+
+    @property
+    def prohibits(self) -> bool:
+        """It forbids something."""
+        return isinstance(self.content, Operator) and self.content.prohibits
 
     @property
     def strength(self) -> float:

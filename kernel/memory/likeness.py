@@ -168,8 +168,8 @@ def _circular(rule: Rule) -> Never | None:
 
 
 def _only_itself(operator: Operator) -> Never | None:
-    trigger = operator.trigger.graphlet
-    if operator.trigger.tag != "DO" or trigger is None:
+    trigger = operator.does
+    if trigger is None:
         return None
     acts = operator.chain.tagged("DO")
     return "only_itself" if acts and all(covers(trigger, (act,), act) for act in acts) else None

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Final, Literal
+from typing import Literal
 
 from kernel.action.chain import Chain
 from kernel.memory.lesson import LessonKind, Operator, Rule
-from kernel.net.graphlet import Graphlet, Term
+from kernel.net.graphlet import Graphlet
 
 
 @dataclass(frozen=True, slots=True)
@@ -52,10 +52,6 @@ class Question:
     wanted: str = ""
     topic: str = ""
     chain: Chain | None = None
-
-
-# "Why did you do that": about the newest deed, whatever became of it.
-WHY_THAT: Final = Question("why", Graphlet((Term("act-1", ref="that"),), "act-1"), topic="did")
 
 
 @dataclass(frozen=True, slots=True)

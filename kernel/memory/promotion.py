@@ -8,7 +8,6 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
-from typing import Final
 
 from kernel.memory.halo import PREMISE_THRESHOLD, Halo
 from kernel.memory.instance import Instance, Key
@@ -18,15 +17,6 @@ from kernel.net.match import Binding
 from kernel.net.node import WORKING, Net, Node
 
 Item = tuple[Node, str]  # a node that was concluded (""), or a concluded word of a node
-STEPS: Final = 2
-
-
-@dataclass(frozen=True, slots=True)
-class Reason:
-    """One step of inference: the rule lesson's number, and the nodes it rests on."""
-
-    rule: int
-    premises: tuple[Node, ...]
 
 
 @dataclass(frozen=True, slots=True)
@@ -87,19 +77,6 @@ class Promotions:
         items: list[Item] = [(node, "") for node in step.instance.premises if node.rule]
         found = [self.step(item) for item in (*items, *step.instance.words)]
         return [s for s in found if s is not None]
-
-    def reasons_of(self, node: Node, word: str = "") -> tuple[Reason, ...]:
-        """The inferences behind a concluded node, or behind a concluded word of a node; the last step first.
-
-        Two steps deep (band 1 cannot rest on more). Empty for what was told.
-        """
-        item = (node, word)
-        reasons: list[Reason] = []
-        layer = [s for s in (self.step(item),) if s is not None]
-        for _ in range(STEPS):
-            reasons += [Reason(s.instance.rule.lesson.ident, s.instance.premises) for s in layer]
-            layer = [before for step in layer for before in self.steps_before(step)]
-        return tuple(dict.fromkeys(reasons))
 
     def resting_on(self, node: Node) -> list[Node]:
         """Promoted nodes with this one as a premise."""

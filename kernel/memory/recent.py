@@ -33,7 +33,6 @@ class Doubt:
     """What to do with a lesson: the robot has asked, and the question is open.
 
     Attributes:
-        until_s: it is closed then.
         focus: number of the focus that waits for the answer.
         answer: "" while it is open.
     """
@@ -41,7 +40,6 @@ class Doubt:
     lesson: Lesson
     why: Why
     other: Lesson | None
-    until_s: float
     focus: int
     answer: Literal["", "keep", "replace", "cancel"] = ""
 

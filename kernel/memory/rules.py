@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable
 from dataclasses import dataclass, replace
 from typing import Final
 
@@ -53,8 +53,8 @@ class RuleBook:
         """Whether the halo has to take note of something."""
         return bool(self.added or self.removed or self.weighed)
 
-    def add(self, lesson: Lesson, belief: float | None = None) -> None:
-        """Put a rule lesson in force, with a belief other than the taught one if given.
+    def add(self, lesson: Lesson) -> None:
+        """Put a rule lesson in force, believed as taught.
 
         Raises:
             TypeError: the lesson is not a rule.
@@ -65,7 +65,7 @@ class RuleBook:
         if lesson.ident in self._by_lesson:
             self.remove(lesson)
         self._unwanted.pop(_bare(rule), None)
-        new = RuleInForce(lesson, rule, rule.belief if belief is None else belief)
+        new = RuleInForce(lesson, rule, rule.belief)
         self._by_lesson[lesson.ident] = new
         content = _bare(rule)
         self._contents[content] = self._contents.get(content, 0) + 1
@@ -111,11 +111,6 @@ class RuleBook:
         """Whether no equal rule is in force, whatever its belief, and none that the robot made was retired."""
         content = _bare(rule)
         return content not in self._contents and content not in self._unwanted
-
-    def candidates(self, net: Net) -> Iterator[tuple[Lesson, Rule]]:
-        """Rules that might fire on what the net holds, in the order they were taught."""
-        for found in sorted(self._index.possible(net), key=lambda r: r.order):
-            yield found.lesson, found.rule
 
     def is_possible(self, rule: RuleInForce, net: Net) -> bool:
         """Whether the net has every word that the rule's condition needs."""

@@ -44,6 +44,10 @@ class Settings:
     recovery_step: float = 0.05
     belief_step: float = 0.1
 
+    def premises(self, desperate: bool) -> float:
+        """Belief below which a premise does not count."""
+        return self.desperate_threshold if desperate else self.threshold
+
     def day(self, at_s: float) -> int:
         """Number of the day on the wall on which that is; at_s: s since 1970."""
         return int((at_s + self.utc_offset_s) // DAY_S)

@@ -28,14 +28,12 @@ class Which:
         focus: number of the focus that waits for the answer.
         question: as it was put.
         things: those it asks about, in the question's order.
-        until_s: when waiting ends.
         chosen: the answer.
     """
 
     focus: int
     question: AskWhich
     things: tuple[Node, ...]
-    until_s: float
     chosen: Node | None = None
 
     def take(self, described: Graphlet, net: Net) -> Node | None:

@@ -111,7 +111,7 @@ def test_triggers_see_it_and_enablements_do_not(robot: Any, lesson: Any) -> None
     for quality in ("oiled", "closed"):
         commons.bear(lesson(TO_CLOSE.format(quality)))
         hypothesis = entertained(robot)
-        selection = Selection(commons, Focus(1), (), 0.5, hypothesis.node)
+        selection = Selection(commons, Focus(1), (), hypothesis.node)
         assert list(selection.applicable("ACH")) == []
         selection.supposed = hypothesis.nodes
         applicable[quality] = [chosen.specificity for chosen in selection.applicable("ACH")]

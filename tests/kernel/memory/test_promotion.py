@@ -8,6 +8,7 @@ import pytest
 from kernel.memory.lesson import Lesson
 from kernel.memory.meaning import Question
 from kernel.memory.notation import canonical
+from kernel.memory.promotion import Promotions
 from kernel.memory.reply import LessonTaken
 from kernel.net.node import BAND_1, WORKING, Node
 from tests.kernel.memory.test_halo_incremental import parsed
@@ -173,8 +174,7 @@ def test_an_alias_that_an_operator_was_found_by_is_promoted_for_as_long(robot: A
     (act,) = (n for n in memory.net.with_word("twirl") if n.kind == "act")
     memory.refresh()
     assert act.known_as("turn", WORKING)
-    (reason,) = memory.promotions.reasons_of(act, "turn")
-    assert (reason.rule, reason.premises) == (taught.ident, (act,))
+    assert reasons(memory.promotions, act, "turn") == [(taught.ident, (act,))]
     robot.pass_time(40)
     memory.refresh()
     assert not memory.net.has_word("twirl")
@@ -207,9 +207,18 @@ def test_the_reasons_of_two_steps_are_told_last_first(robot: Any) -> None:
     first, second = robot.teach(rule("girl", "child")), robot.teach(rule("child", "person"))
     robot.tell(*GIRL)
     robot.mind.memory.refresh()
-    reasons = robot.mind.memory.promotions.reasons_of(person_in_halo(robot))
-    assert [r.rule for r in reasons] == [second.ident, first.ident]
-    assert [sorted(n.lex) for r in reasons for n in r.premises] == [["child"], ["girl"]]
+    found = reasons(robot.mind.memory.promotions, person_in_halo(robot))
+    assert [rule for rule, _ in found] == [second.ident, first.ident]
+    assert [sorted(n.lex) for _, premises in found for n in premises] == [["child"], ["girl"]]
+
+
+def reasons(
+    promotions: Promotions, node: Node, word: str = ""
+) -> list[tuple[int, tuple[Node, ...]]]:
+    """The rules behind a conclusion and what each rests on; the last step first, two steps deep."""
+    last = [step for step in (promotions.step((node, word)),) if step is not None]
+    before = [b for step in last for b in promotions.steps_before(step)]
+    return [(step.instance.rule.lesson.ident, step.instance.premises) for step in (*last, *before)]
 
 
 def person_in_halo(robot: Any) -> Node:
@@ -220,7 +229,7 @@ def person_in_halo(robot: Any) -> Node:
 def test_what_was_told_has_no_reasons(robot: Any) -> None:
     robot.tell(*GIRL)
     (node,) = robot.mind.memory.net.with_word("girl")
-    assert robot.mind.memory.promotions.reasons_of(node) == ()
+    assert reasons(robot.mind.memory.promotions, node) == []
 
 
 def test_lesson_origins_default_to_none() -> None:
