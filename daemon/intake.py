@@ -72,7 +72,7 @@ class Intake:
 
     async def _understand(self, utterance: Utterance) -> Understanding:
         try:
-            words, asked = self._cycle.vocabulary, self._cycle.mind.expecting
+            words, asked = self._cycle.vocabulary, self._cycle.expecting
             return await self._parser.run(understand, utterance, words, asked)
         except Exception as error:  # one sentence that breaks the parser must not end hearing
             return self._cycle.puzzled(utterance, error)

@@ -25,13 +25,14 @@ from daemon.understanding import (
 from daemon.wire import Wire
 from daemon.writer import Keeper, Kept, NotKept
 from firmware_proto.told import SessionState
+from grammars.asking import AskWord
 from grammars.errors import NotUnderstoodError
 from grammars.replies import say
-from grammars.vocabulary import extended, from_policy
+from grammars.vocabulary import extended, from_policy, with_verb
 from kernel.action.call import BodyState
 from kernel.memory.exchange import Inputs, Outputs
 from kernel.memory.meaning import Heard, Utterance
-from kernel.memory.reply import FactTaken, LessonTaken
+from kernel.memory.reply import AskKeep, AskWhich, FactTaken, LessonTaken
 
 if TYPE_CHECKING:
     from kernel.bodies.registry import Body
@@ -82,6 +83,7 @@ class Cycle:
         self.failures = 0
         self.hushing = 0
         self.vocabulary = from_policy(mind.policy)
+        self._asked: AskWord | None = None
 
     @property
     def settled(self) -> bool:
@@ -102,6 +104,11 @@ class Cycle:
     def mind(self) -> Mind:
         """The mind, for asking (policy, speaker), not for ticking."""
         return self._mind
+
+    @property
+    def expecting(self) -> AskWhich | AskKeep | AskWord | None:
+        """The question that is open: the mind's, or the one about a word, which the next utterance closes."""
+        return self._mind.expecting or self._asked
 
     @property
     def pose(self) -> events.Pose:
@@ -127,7 +134,7 @@ class Cycle:
         """Take an utterance: stop words act before they are understood; what is not understood moves nothing."""
         epoch = self.begin(utterance, source)
         try:
-            understanding = understand(utterance, self.vocabulary, self._mind.expecting)
+            understanding = understand(utterance, self.vocabulary, self.expecting)
         except Exception as error:
             understanding = self.puzzled(utterance, error)
         self.take(understanding, epoch, source)
@@ -153,14 +160,8 @@ class Cycle:
         """The first half of `hear`: report it, stop if it is a stop word; the stop epoch it belongs to."""
         if at_once(utterance.text):
             self.stop(source)
-        self._emit(
-            events.Heard(
-                t=self.now_s,
-                text=utterance.text,
-                speaker=utterance.speaker,
-                confidence=utterance.confidence,
-            )
-        )
+        text, speaker, confidence = utterance.text, utterance.speaker, utterance.confidence
+        self._emit(events.Heard(t=self.now_s, text=text, speaker=speaker, confidence=confidence))
         return self._link.stop_epoch
 
     def take(self, understanding: Understanding, epoch: int, source: str = "typed") -> None:
@@ -172,21 +173,21 @@ class Cycle:
         if stops(understanding):
             before, after = self._link.stop_epoch, self.stop(source)
             epoch = after if epoch == before else epoch
+        self._asked = None
+        if understanding.taught:
+            self.vocabulary = with_verb(self.vocabulary, understanding.taught)
         if understanding.error is not None:
-            said = say(understanding.error)
+            said, self._asked = say(understanding.error), understanding.error.asking
             self._emit(events.NotUnderstood(t=self.now_s, text=text, reason=said.shown))
             self._speech.add(said.spoken, told=True)
         if (heard := understanding.heard) is None:
             return
-        self._emit(
-            events.Understood(
-                t=self.now_s, text=text, readback=understanding.readback, kind=understanding.kind
-            )
-        )
+        readback, kind = understanding.readback, understanding.kind
+        self._emit(events.Understood(t=self.now_s, text=text, readback=readback, kind=kind))
         if epoch < self._link.stop_epoch and self._dropped(heard):
             return
         self._heard.append(heard)
-        self._sources[text] = source
+        self._sources[heard.utterance.text] = source
         if len(self._sources) > SOURCES_KEPT:
             del self._sources[next(iter(self._sources))]
 

@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 import threading
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Final
 
+from grammars.asking import AskWord
 from grammars.errors import NotUnderstoodError
 from grammars.parse import parse
 from grammars.render import render
@@ -72,17 +73,23 @@ _one_at_a_time = threading.Lock()
 
 @dataclass(frozen=True, slots=True)
 class Understanding:
-    """What parsing made of an utterance: either heard, or the error that says what was understood."""
+    """What parsing made of an utterance: either heard, or the error that says what was understood.
+
+    taught: a word that is now known to be something to do.
+    """
 
     utterance: Utterance
     kind: str
     readback: str
     heard: Heard | None
     error: NotUnderstoodError | None = None
+    taught: str = ""
 
 
 def understand(
-    utterance: Utterance, vocabulary: Vocabulary, expecting: AskWhich | AskKeep | None = None
+    utterance: Utterance,
+    vocabulary: Vocabulary,
+    expecting: AskWhich | AskKeep | AskWord | None = None,
 ) -> Understanding:
     """Parse it. Hearing has chosen among its alternatives before. May run in any thread.
 
@@ -94,7 +101,8 @@ def understand(
     except NotUnderstoodError as error:
         return Understanding(utterance, "not_understood", "", None, error)
     readback = render(parsed.meaning, "teacher")
-    return Understanding(utterance, parsed.kind, readback, Heard(utterance, parsed.meaning))
+    heard = Heard(replace(utterance, text=parsed.text), parsed.meaning)
+    return Understanding(utterance, parsed.kind, readback, heard, taught=parsed.taught)
 
 
 def forgetting(numbers: tuple[int, ...], speaker: str, at_s: float) -> Understanding:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from grammars.asking import AskWord
+
 
 class NotUnderstoodError(Exception):
     """A sentence has no reading.
@@ -11,6 +13,7 @@ class NotUnderstoodError(Exception):
         understood: how much of its beginning could start a sentence.
         nearest: a sentence that would work, or None.
         unknown_words: words that nobody taught, in order.
+        asking: what the answer to would help.
     """
 
     def __init__(
@@ -19,7 +22,8 @@ class NotUnderstoodError(Exception):
         understood: str = "",
         nearest: str | None = None,
         unknown_words: tuple[str, ...] = (),
+        asking: AskWord | None = None,
     ) -> None:
         super().__init__(f"not understood: {text[:80]!r}")
         self.text, self.understood, self.nearest = text, understood, nearest
-        self.unknown_words = unknown_words
+        self.unknown_words, self.asking = unknown_words, asking

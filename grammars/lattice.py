@@ -9,7 +9,7 @@ from dataclasses import dataclass, field, replace
 from typing import Final
 
 from grammars.morphology import readings as inflected
-from grammars.normalise import Piece, repaired_by_speaker, without_repeats
+from grammars.normalise import Piece, repaired_by_speaker, without_chat, without_repeats
 from grammars.source import set_categories
 from grammars.vocabulary import OPEN, Vocabulary
 
@@ -118,8 +118,8 @@ def _may_be_name(token: Token, before: Piece | None, after: Sequence[Piece]) -> 
 
 
 def variants(found: list[Piece], vocabulary: Vocabulary) -> Iterator[list[Piece]]:
-    """The sentence with set phrases made one word, as said, without stammering, and with the speaker's own corrections
-    carried out."""
+    """The sentence with set phrases made one word, as said, without stammering, with the speaker's own corrections
+    carried out, and without words said while thinking."""
     seen: list[list[Piece]] = []
     once = without_repeats(found)
     for variant in (
@@ -128,7 +128,8 @@ def variants(found: list[Piece], vocabulary: Vocabulary) -> Iterator[list[Piece]
         _with_phrases(found, vocabulary),
         found,
         once,
-        repaired_by_speaker(once),
+        repaired_by_speaker(once, vocabulary.readings),
+        without_chat(once),
     ):
         if variant and variant not in seen:
             seen.append(variant)

@@ -13,7 +13,7 @@ from rapidfuzz.distance import OSA
 from grammars.registry import discover
 
 NEAR_ENOUGH: Final = (
-    60.0  # rapidfuzz's percentage; below it the suggestion is not about the same thing
+    70.0  # rapidfuzz's percentage; below it the suggestion is not about the same thing
 )
 SHORTEST: Final = 4  # letters of a word that may be a typo; of one that builds sentences one less
 
@@ -37,16 +37,16 @@ def near_words(
     """
     found = process.extract(word, words, scorer=OSA.distance, score_cutoff=1, limit=None)
     near = [
-        (slip, other)
+        (sort, other)
         for other, distance, _ in found
         if distance == 1 and (len(word) >= SHORTEST or other in common)
-        if (slip := _slip(word, other)) != OTHER_WORD and (slip < UNLIKELY) == likely
+        if (sort := slip(word, other)) != OTHER_WORD and (sort < UNLIKELY) == likely
     ]
     likeliest = min(near, default=(OTHER_WORD, ""))[0]
-    return sorted(other for slip, other in near if slip == likeliest)
+    return sorted(other for sort, other in near if sort == likeliest)
 
 
-def _slip(typed: str, meant: str) -> int:
+def slip(typed: str, meant: str) -> int:
     """The sort of a slip, the likeliest first."""
     if sorted(typed) == sorted(meant):
         return 0

@@ -7,7 +7,7 @@ kept as said: a quote is cut out of the text by position, so nothing done here r
 from __future__ import annotations
 
 import re
-from collections.abc import Sequence
+from collections.abc import Callable, Container, Sequence
 from dataclasses import dataclass
 from typing import Final
 
@@ -22,6 +22,7 @@ TOKEN = re.compile(
     re.VERBOSE,
 )
 FILLERS: Final = frozenset("uh um er erm uhm hmm ah eh mm huh".split())
+THINKING: Final = (("you", "know"), ("like",), ("basically",), ("i", "guess"))
 WHOLE: Final = {
     "can't": "can not",
     "cannot": "can not",
@@ -66,6 +67,8 @@ TENS: Final = {
         "twenty thirty forty fifty sixty seventy eighty ninety".split(), start=2
     )
 }
+# Categories whose words are put right one for one: "turn left no right". A verb takes all after it along.
+REPAIRABLE: Final = ("DIR", "ADV", "UNIT", "ADJ", "NOUN", "PROPER", "VERB")
 
 
 @dataclass(frozen=True, slots=True)
@@ -205,6 +208,20 @@ def _fraction(words: Sequence[str]) -> tuple[float, int]:
     return 0.0, 0
 
 
+def without_chat(found: Sequence[Piece]) -> list[Piece]:
+    """Words said while thinking left out, at the beginning or beside a comma: "could you, like, turn left"."""
+    for said in THINKING:
+        for at in range(len(found) - len(said) + 1):
+            end = at + len(said)
+            if tuple(piece.text for piece in found[at:end]) != said:
+                continue
+            before = at > 0 and found[at - 1].kind == "comma"
+            after = end < len(found) and found[end].kind == "comma"
+            if at == 0 or before or after:
+                return without_chat([*found[: at - before], *found[end + after :]])
+    return list(found)
+
+
 def without_repeats(found: Sequence[Piece]) -> list[Piece]:
     """Stammered words once: "turn turn left"."""
     return [
@@ -214,8 +231,13 @@ def without_repeats(found: Sequence[Piece]) -> list[Piece]:
     ]
 
 
-def repaired_by_speaker(found: Sequence[Piece]) -> list[Piece]:
-    """Self-repair carried out: "turn left i mean right" is "turn right"."""
+def repaired_by_speaker(
+    found: Sequence[Piece], sorts: Callable[[str], Container[str]] = lambda _: ()
+) -> list[Piece]:
+    """Self-repair carried out: "turn left i mean right" is "turn right", "five no six inches" is "6 inches".
+
+    sorts: the categories of a word; the correction takes the place of what is of its sort.
+    """
     texts = [piece.text for piece in found]
     for marker in (["i", "mean"], ["no", "wait"], ["or", "rather"], ["sorry"], ["no"]):
         for at in range(1, len(texts) - len(marker)):
@@ -223,9 +245,23 @@ def repaired_by_speaker(found: Sequence[Piece]) -> list[Piece]:
                 continue
             before = [piece for piece in found[:at] if piece.kind != "comma"]
             after = [piece for piece in found[at + len(marker) :] if piece.kind != "comma"]
-            again = next(
-                (i for i in range(len(before)) if after and before[i].text == after[0].text),
-                max(0, len(before) - len(after)),
-            )
-            return [*before[:again], *after]
+            return _put_right(before, after, sorts) if after else before
     return list(found)
+
+
+def _put_right(
+    before: list[Piece], after: list[Piece], sorts: Callable[[str], Container[str]]
+) -> list[Piece]:
+    """The correction in the place of the same word, else of a word of its sort, else of as many words; what followed a
+    single word that was corrected stays."""
+    new = after[0]
+    sort = [name for name in REPAIRABLE if name in sorts(new.text)]
+    same = [at for at, piece in enumerate(before) if piece.text == new.text]
+    number = [at for at, piece in enumerate(before) if piece.kind == new.kind == "number"]
+    alike = [
+        at for at, piece in enumerate(before) if any(name in sorts(piece.text) for name in sort)
+    ]
+    places = same or number or alike
+    again = places[-1] if places else max(0, len(before) - len(after))
+    stays = bool(places) and len(after) == 1 and sort != ["VERB"]
+    return [*before[:again], *after, *(before[again + 1 :] if stays else ())]

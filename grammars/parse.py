@@ -9,10 +9,11 @@ from __future__ import annotations
 import importlib
 import json
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cache, partial
 from hashlib import sha256
 from importlib.resources import files
+from itertools import chain
 from typing import Any, Final
 
 from lark.exceptions import UnexpectedInput
@@ -21,14 +22,16 @@ from lark.parsers import earley
 from lark.parsers.earley_forest import StableSymbolNode
 from lark.utils import OrderedSet
 
+from grammars.asking import NO, YES, AskWord, agreed, fits, told
+from grammars.chatter import is_chatter
 from grammars.errors import NotUnderstoodError
-from grammars.lattice import Lexer, Token
+from grammars.lattice import Lexer, Token, variants
 from grammars.nearest import nearest_sentence
 from grammars.normalise import pieces
 from grammars.reading import BrokenOffError, Parsed, Reader
 from grammars.source import grammar_text
-from grammars.vocabulary import BORN, Vocabulary, lines, set_phrases
-from kernel.memory.meaning import Choice, Control, Meaning
+from grammars.suggesting import rather, respelt
+from grammars.vocabulary import BORN, Vocabulary, set_phrases, with_verb
 from kernel.memory.reply import AskKeep, AskWhich
 
 MOST_WORDS: Final = 60
@@ -198,21 +201,6 @@ def grammar() -> Grammar:
     return Grammar(rules, data["literal"])
 
 
-@cache
-def _idioms() -> frozenset[tuple[str, ...]]:
-    return frozenset(tuple(piece.text for piece in pieces(line)) for line in lines("idioms"))
-
-
-@cache
-def _openings() -> frozenset[tuple[str, ...]]:
-    return frozenset(tuple(piece.text for piece in pieces(line)) for line in lines("openings"))
-
-
-def _is_chatter(words: tuple[str, ...]) -> bool:
-    """A saying, or what starts as nothing but a saying does."""
-    return words in _idioms() or any(words[: len(start)] == start for start in _openings())
-
-
 def productions() -> tuple[Production, ...]:
     """Every rule; a set phrase is a rule of its category."""
     words = {name: f'"{word}"' for word, name in grammar().literal.items()}
@@ -235,17 +223,8 @@ def closed_words() -> frozenset[str]:
     return frozenset(grammar().literal)
 
 
-def fits(answer: Meaning, question: AskWhich | AskKeep) -> bool:
-    """Whether it answers that: "no" to a doubt; to "which one?", no other words than describe what is asked about."""
-    if isinstance(question, AskKeep) or not isinstance(answer, Choice):
-        return isinstance(question, AskKeep) and isinstance(answer, Control)
-    offered = {word for option in question.options for word in option.words()}
-    said = answer.described.words()
-    return bool(said) and said <= offered
-
-
 def parse(
-    text: str, vocabulary: Vocabulary = BORN, expecting: AskWhich | AskKeep | None = None
+    text: str, vocabulary: Vocabulary = BORN, expecting: AskWhich | AskKeep | AskWord | None = None
 ) -> Parsed:
     """What a sentence means.
 
@@ -260,10 +239,13 @@ def parse(
     if not isinstance(text, str) or not text.isprintable() or len(text) > MOST_LETTERS:
         raise NotUnderstoodError(str(text)[:MOST_LETTERS])
     found = pieces(text)
-    if not found or len(found) > MOST_WORDS or _is_chatter(tuple(p.text for p in found)):
+    if not found or len(found) > MOST_WORDS or is_chatter(tuple(p.text for p in found)):
         raise NotUnderstoodError(text)
     lexer = Lexer(vocabulary, grammar().literal)
-    if expecting is not None:
+    if isinstance(expecting, AskWord):
+        if (meant := _of_word(text, vocabulary, expecting)) is not None:
+            return meant
+    elif expecting is not None:
         answers = partial(grammar().forest, symbol="expected")
         for reading in Reader(text, lexer, answers, grammar().cost).read(found):
             if fits(reading.meaning, expecting):
@@ -272,9 +254,41 @@ def parse(
     strange = [at for at, piece in enumerate(found) if reader.lexer.strange(piece)]
     for reading in reader.readings(found, strange):
         return reading
-    raise NotUnderstoodError(
-        text,
-        reader.understood(found),
-        nearest_sentence(text),
-        tuple(dict.fromkeys(found[at].text for at in strange)),
+    unknown = tuple(dict.fromkeys(found[at].text for at in strange))
+    words = (*grammar().literal, *vocabulary.everything)
+    works = partial(_works, vocabulary=vocabulary)
+    asking, near = None, respelt(text, found, strange, words, works)
+    new = unknown[0] if len(unknown) == 1 and unknown[0] not in YES | NO else ""
+    if new and near is None and _works(text, with_verb(vocabulary, new)):
+        asking = AskWord(new, text)
+    elif near is None:
+        near = rather(text, found, reader.reached, words, works) or nearest_sentence(text)
+    raise NotUnderstoodError(text, reader.understood(found), near, unknown, asking)
+
+
+def _works(text: str, vocabulary: Vocabulary) -> bool:
+    """It means something as it stands, without a guess and not as a fact, which nearly anything can be taken for."""
+    reader = Reader(text, Lexer(vocabulary, grammar().literal), grammar().forest, grammar().cost)
+    found = pieces(text)
+    readings = chain.from_iterable(map(reader.read, variants(found, vocabulary)))
+    return any(
+        reading.kind != "fact"
+        and not reading.unknown_words
+        and all(part.name != "quote" for part in reading.alist.walk())
+        for reading in readings
     )
+
+
+def _of_word(text: str, vocabulary: Vocabulary, question: AskWord) -> Parsed | None:
+    """What the answer to a question about a word means: where it is something to do, the sentence it stood in."""
+    if (agreement := agreed(question, text)) is None:
+        sentence = told(question, text)
+        try:
+            return None if sentence is None else parse(sentence, vocabulary)
+        except NotUnderstoodError:
+            return None
+    if agreement:
+        parsed = parse(question.text, with_verb(vocabulary, question.word))
+        return replace(parsed, text=text, taught=question.word)
+    denied = replace(question, denied=True)
+    raise NotUnderstoodError(text, unknown_words=(question.word,), asking=denied)

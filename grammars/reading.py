@@ -35,7 +35,7 @@ class Parsed:
     """A sentence understood.
 
     Attributes:
-        text: as given.
+        text: as given; of an answer about a word, the whole sentence that it stands for.
         kind: of the sentence (language.md, Kinds).
         meaning: for the mind.
         alist: slots, values and brackets.
@@ -43,6 +43,7 @@ class Parsed:
         repaired: (as typed, as taken) for each typo.
         alternatives: number of readings found.
         others: association lists of the other readings, best first.
+        taught: the word which the sentence, an answer, tells to be something to do.
     """
 
     text: str
@@ -53,6 +54,7 @@ class Parsed:
     repaired: tuple[tuple[str, str], ...] = ()
     alternatives: int = 1
     others: tuple[AList, ...] = ()
+    taught: str = ""
 
 
 @dataclass
@@ -147,7 +149,8 @@ class Reader:
             choices = [
                 [*done[:at], Piece("word", word, found[at].begin, found[at].end), *done[at + 1 :]]
                 for done in choices
-                for word in near_words(found[at].text, words, builders, likely)
+                for word in near_words(found[at].text, words, builders)
+                or ([] if likely else near_words(found[at].text, words, builders, likely=False))
             ]
         for variant in choices[:MOST_REPAIRS]:
             yield variant, tuple((found[at].text, variant[at].text) for at in places)

@@ -174,6 +174,13 @@ def from_policy(lessons: Iterable[Lesson]) -> Vocabulary:
     return Vocabulary(BORN.born, taught)
 
 
+def with_verb(vocabulary: Vocabulary, word: str) -> Vocabulary:
+    """The vocabulary with one more word for something to do, which nobody has told how yet."""
+    lexicon: Lexicon = {word: dict(vocabulary.taught.get(word, {}))}
+    _verb(lexicon, word)
+    return Vocabulary(vocabulary.born, {**lexicon, **vocabulary.taught, word: lexicon[word]})
+
+
 def extended(vocabulary: Vocabulary, lessons: Iterable[Lesson]) -> Vocabulary:
     """The vocabulary with the words of further lessons; the same object where they bring none.
 

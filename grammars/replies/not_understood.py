@@ -12,6 +12,12 @@ _LONGEST_LIST = 3
 def not_understood(error: NotUnderstoodError) -> Said:
     """ "I don't know the word zork." """
     unknown = error.unknown_words
+    if (asking := error.asking) is not None:
+        if asking.denied:
+            said = f"Then what does {asking.word} mean?"
+        else:
+            said = f"I don't know the word {asking.word}. Is it something to do?"
+        return Said(said, said)
     if 0 < len(unknown) <= _LONGEST_LIST:
         said = f"I don't know the word{'s' if len(unknown) > 1 else ''} {listed(unknown)}"
     else:

@@ -6,7 +6,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from grammars.normalise import pieces, repaired_by_speaker, without_repeats
+from grammars.normalise import pieces, repaired_by_speaker, without_chat, without_repeats
 
 
 def words(text: str) -> str:
@@ -52,6 +52,16 @@ def test_stammering_is_removed_but_not_from_numbers() -> None:
     ] == "turn left 5 5".split()
 
 
+def test_words_said_while_thinking_are_left_out() -> None:
+    def plain(text: str) -> str:
+        return " ".join(piece.text for piece in without_chat(pieces(text)))
+
+    assert plain("could you, like, turn left") == "could you turn left"
+    assert plain("you know, drive forward") == "drive forward"
+    assert plain("turn left, you know") == "turn left"
+    assert plain("mary is like a girl") == "mary is like a girl"
+
+
 def test_the_speaker_corrects_himself() -> None:
     def corrected(text: str) -> str:
         return " ".join(piece.text for piece in repaired_by_speaker(pieces(text)))
@@ -59,6 +69,8 @@ def test_the_speaker_corrects_himself() -> None:
     assert corrected("turn left i mean right") == "turn right"
     assert corrected("raise the lift no wait lower the lift") == "lower the lift"
     assert corrected("turn left") == "turn left"
+    assert corrected("drive forward five no six inches") == "drive forward 6 inches"
+    assert corrected("drive forward five inches i mean six") == "drive forward 6 inches"
 
 
 @given(st.text(max_size=80))
