@@ -8,9 +8,9 @@ from collections.abc import Callable
 from daemon.aside import Aside
 from daemon.lessons import Row, rows
 from daemon.logbook import Entry, entries
-from daemon.store import Resting
 from daemon.writer import Writer
 from kernel.memory.change import Change
+from kernel.memory.lesson import Resting
 
 
 class Book:

@@ -8,11 +8,11 @@ from typing import Final, Literal, cast
 
 import msgspec
 
-from daemon.store import Loaded, Resting
+from daemon.store import Loaded
 from grammars.render import render
 from kernel.errors import NotationError
 from kernel.memory.change import Change
-from kernel.memory.lesson import Content, Lesson, LessonKind
+from kernel.memory.lesson import Content, Lesson, LessonKind, Resting
 from kernel.memory.notation import read, write
 from kernel.memory.policy import Policy
 

@@ -26,7 +26,6 @@ from kernel.action.discover import load_all
 from kernel.bodies import registry
 from kernel.bodies.forklift import scene
 from kernel.bodies.forklift.scene import Scene, SceneError
-from kernel.memory.change import Change
 from kernel.memory.settings import Settings
 from kernel.mind import Mind
 
@@ -42,7 +41,7 @@ class Parts(Generic[L]):
     loaded: Loaded
 
 
-def make_mind(settings: MindPart, history: tuple[Change, ...], utc_offset_s: float = 0.0) -> Mind:
+def make_mind(settings: MindPart, loaded: Loaded, utc_offset_s: float = 0.0) -> Mind:
     """A fresh mind with what it is born knowing, and what the journal says it learned."""
     numbers = Settings(
         threshold=settings.belief_threshold,
@@ -61,7 +60,7 @@ def make_mind(settings: MindPart, history: tuple[Change, ...], utc_offset_s: flo
         recovery_step=settings.recovery_step,
         belief_step=settings.belief_step,
     )
-    return Mind(born(), settings.seed, numbers, history)
+    return Mind(born(), settings.seed, numbers, loaded.changes, loaded.resting)
 
 
 def make_cycle(
@@ -75,7 +74,7 @@ def make_cycle(
 ) -> Cycle:
     """The one way a cycle is put together."""
     return Cycle(
-        mind=make_mind(config.mind, loaded.changes, utc_offset_s),
+        mind=make_mind(config.mind, loaded, utc_offset_s),
         body=registry.make(body_name(config.robot.uri)),
         link=link,
         voice=voice,

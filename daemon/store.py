@@ -19,7 +19,7 @@ from daemon.schema import SCHEMA
 from daemon.store_file import StoreError, connected, locked
 from kernel.errors import NotationError
 from kernel.memory.change import Adapted, Change
-from kernel.memory.lesson import Lesson, LessonKind
+from kernel.memory.lesson import Lesson, LessonKind, Resting
 from kernel.memory.notation import read, write
 from kernel.memory.policy import Policy
 
@@ -27,19 +27,6 @@ NET_VERSION: Final = 1
 UTTERANCES_KEPT: Final = 10_000
 ADAPTATIONS_KEPT: Final = 20  # of one lesson; the older ones explain nothing any more
 NET_MIGRATIONS: Final[Mapping[int, Callable[[str], str]]] = {}  # notation of version n to n + 1
-
-
-@dataclass(frozen=True, slots=True)
-class Resting:
-    """A lesson that is kept but not in force. why: what is wrong with it; change: the one that taught it."""
-
-    ident: int
-    words: str
-    why: str
-    kind: str = ""
-    teacher: str = ""
-    at_s: float = 0.0
-    change: int = 0
 
 
 @dataclass(frozen=True, slots=True)

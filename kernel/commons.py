@@ -13,7 +13,7 @@ from kernel.action.trace import Record, What
 from kernel.memory.attention import Attention, Failure, Focus, Progress
 from kernel.memory.change import SESSION, Change
 from kernel.memory.experience import Experience
-from kernel.memory.lesson import Content, Lesson, Operator, Rule
+from kernel.memory.lesson import Content, Lesson, Operator, Resting, Rule
 from kernel.memory.likeness import covers
 from kernel.memory.operators import Operators
 from kernel.memory.policy import Policy, Shift
@@ -46,6 +46,7 @@ class Commons:
         attention: all foci.
         which: the open question, put by the robot, which thing is meant.
         policy: what is in force of all that was learned; facts: the node of each stored fact in force, by lesson.
+        resting: stored lessons that cannot be in force.
         shelves: lessons in force by what they might be equal to or contradict.
         sayings: how the facts of the session were told, by lesson.
         pending: changes the store has not answered for: the focus each came from, and the whole change, by key.
@@ -79,6 +80,7 @@ class Commons:
     recent: Recent = field(default_factory=Recent)
     policy: Policy = field(default_factory=Policy)
     facts: dict[int, Node] = field(default_factory=dict)
+    resting: tuple[Resting, ...] = ()
     struck: dict[int, Reason | Literal["ended"]] = field(default_factory=dict)
     doing: list[Doing] = field(default_factory=list)
     begun: list[Node] = field(default_factory=list)
@@ -170,7 +172,7 @@ class Commons:
             else:
                 focus.failure = Failure("not_stored", None, why)
 
-    def may(self, person: str, lesson: Lesson) -> bool:
+    def may(self, person: str, lesson: Lesson | Resting) -> bool:
         """Whether somebody may lift, forget or undo a prohibition: its teacher or the owner; anybody without owner."""
         owner = self.settings.owner.lower()
         return not (owner and lesson.prohibits) or person.lower() in {
@@ -197,7 +199,7 @@ class Commons:
                     return veto
         return None
 
-    def not_yours(self, lesson: Lesson) -> Failure:
+    def not_yours(self, lesson: Lesson | Resting) -> Failure:
         """Why somebody may not do so; the owner is not named beside himself."""
         owners = lesson.teacher.lower() == self.settings.owner.lower()
         return Failure("not_yours", None, "" if owners else lesson.teacher)

@@ -10,10 +10,11 @@ from collections.abc import Generator, Iterator, Sequence
 from typing import TYPE_CHECKING
 
 from kernel.action.chain import Directive
+from kernel.action.step import Run
 from kernel.action.verdict import Verdict
 from kernel.memory.recall import may_assume, missing, referents, stands_for_one
 from kernel.memory.which import PATIENCE_S, Which, ask_which, equal_best
-from kernel.memory.wondering import is_thing, sought, spelled_out, values
+from kernel.memory.wondering import is_thing, sought, values
 from kernel.net.graphlet import Graphlet
 from kernel.net.match import Binding
 from kernel.net.node import Node
@@ -23,24 +24,40 @@ from kernel.using import use
 if TYPE_CHECKING:
     from kernel.running import Frame
 
-Options = Iterator[Binding | None]  # None: not done this tick
+# None: not done this tick. In the end, whether a stop broke the looking off.
+Options = Generator[Binding | None, None, bool]
 
 
-def following(options: Options) -> Generator[None, None, Binding | None]:
-    """Wait for the next binding; None where none is left."""
-    for binding in options:
-        if binding is not None:
-            return binding
-        yield
-    return None
+class LookUp:
+    """A FIND of a chain: what it may be bound to, one after the other."""
+
+    def __init__(self, frame: Frame, find: Directive, later: Sequence[Directive] = ()) -> None:
+        """later: what the chain does next, for what may be assumed."""
+        self._frame, self._options = frame, _bindings(frame, find, later)
+
+    def next(self) -> Run:
+        """Bind it to the next thing; fails where none is left, is stopped where the looking was."""
+        while True:
+            try:
+                binding = next(self._options)
+            except StopIteration as end:
+                return Verdict.STOPPED if end.value else Verdict.FAILED
+            if binding is not None:
+                self._frame.binding = binding
+                return Verdict.SUCCEEDED
+            try:
+                yield
+            except GeneratorExit:  # the looking ends before what looked
+                self._options.close()
+                raise
 
 
-def bindings(frame: Frame, find: Directive, later: Sequence[Directive]) -> Options:
-    """Every binding for a FIND, best first. later: what the chain does next, for what may be assumed."""
+def _bindings(frame: Frame, find: Directive, later: Sequence[Directive]) -> Options:
+    """Every binding for a FIND, best first."""
     graphlet = find.graphlet
     if graphlet is None or graphlet.main in frame.binding:
         yield frame.binding
-        return
+        return False
     start, tried = frame.binding, set[Node]()
     known = list(remembered(frame, graphlet, start))
     equal = equal_best(graphlet, known, frame.commons.attention.newest)
@@ -55,12 +72,13 @@ def bindings(frame: Frame, find: Directive, later: Sequence[Directive]) -> Optio
         frame.mention(option[graphlet.main])
         yield option
     if equal:
-        return
+        return False
     broken_off = False
     if not sought(graphlet, later):
         broken_off = yield from _found_out(frame, find, start, tried)
     if not tried and not broken_off and may_assume(graphlet, later):
         yield _assumed(frame, graphlet, start)
+    return broken_off
 
 
 def remembered(frame: Frame, graphlet: Graphlet, start: Binding) -> Iterator[Binding]:
@@ -130,11 +148,3 @@ def _assumed(frame: Frame, graphlet: Graphlet, start: Binding) -> Binding:
     binding[graphlet.main].assumed = True
     frame.commons.record("assumed", frame.focus, text=missing(Directive("FIND", graphlet)))
     return binding
-
-
-def not_found(frame: Frame, find: Directive) -> None:
-    """Say what was looked for in vain."""
-    if find.graphlet is None or is_thing(find.graphlet):
-        frame.explain("nothing_found", None, missing(find))
-    else:
-        frame.explain("not_known", None, about=(spelled_out(find.graphlet, frame.binding),))

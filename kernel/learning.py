@@ -87,11 +87,16 @@ def _fact(commons: Commons, focus: Focus, lesson: Lesson) -> Learning:
 
 
 def _lasts(fact: Graphlet, finds: tuple[Graphlet, ...]) -> bool:
-    """Facts of kind about a named individual are kept like lessons (mind.md)."""
-    named = {t.name for g in (*finds, fact) for t in g.terms if t.kind == "obj" and t.lex}
-    named -= {t.name for g in (*finds, fact) for t in g.terms if t.lex & {"you", "me"}}
-    links = fact.head.links if fact.head is not None else ()
-    return any(role == "ako" and to in named for role, to in links)
+    """Facts of name or kind about a named individual are kept like lessons (mind.md): "Mary is a girl", "the red block
+    is called Bob". A name for what was only pointed at would mean nothing later."""
+    head, terms = fact.head, [t for g in (*finds, fact) for t in g.terms]
+    if head is None:
+        return False
+    named = {t.name for t in terms if t.kind == "obj" and t.lex}
+    named -= {t.name for t in terms if t.lex & {"you", "me"}}
+    if head.name in named:
+        return any(to == head.name for t in terms for _, to in t.links)
+    return any(role == "ako" and to in named for role, to in head.links)
 
 
 def _doubt(commons: Commons, lesson: Lesson) -> tuple[Why, Lesson | None] | None:

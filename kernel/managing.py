@@ -13,7 +13,7 @@ from kernel.action.verdict import Verdict
 from kernel.commons import Commons
 from kernel.memory.attention import Focus
 from kernel.memory.change import LEAST, SESSION, Adapted, Change
-from kernel.memory.lesson import INNATE, Lesson, Operator
+from kernel.memory.lesson import INNATE, Lesson, Operator, Resting
 from kernel.memory.likeness import covers
 from kernel.memory.meaning import Control, Fact, Meaning, Teach
 from kernel.memory.notation import canonical
@@ -114,11 +114,20 @@ def changed(
     commons: Commons, focus: Focus, change: Change, leaving: Iterable[Lesson]
 ) -> Generator[None, None, bool]:
     """Make a change that takes these lessons out of force; False, with the reason, where the speaker may not."""
-    for lesson in leaving:
+    touched: list[Lesson | Resting] = [*leaving, *_asleep(commons, change)]
+    for lesson in touched:
         if not commons.may(focus.by, lesson):
             focus.failure = commons.not_yours(lesson)
             return False
     return (yield from commons.commit(focus, change))
+
+
+def _asleep(commons: Commons, change: Change) -> list[Resting]:
+    """The lessons it takes or brings back that rest."""
+    undone = [c for c in commons.policy.changes() if c.ident in change.undone]
+    idents = {*change.retracted, *(n for c in undone for n in c.retracted)}
+    numbers = {c.ident for c in undone}
+    return [x for x in commons.resting if x.ident in idents or x.change in numbers]
 
 
 def forget(commons: Commons, focus: Focus, control: Control) -> Run:
@@ -229,7 +238,10 @@ def with_chunks(commons: Commons, lessons: Iterable[Lesson]) -> list[Lesson]:
 
 def whole(fact: Fact) -> Graphlet:
     """The fact with the descriptions of what it is about, as it is kept."""
-    terms = {t.name: t for g in (*fact.finds, fact.fact) for t in g.terms}
+    terms = {t.name: t for find in fact.finds for t in find.terms}
+    for term in fact.fact.terms:  # one that was looked up keeps how it was referred to
+        found = terms.get(term.name)
+        terms[term.name] = term if found is None else replace(term, ref=term.ref or found.ref)
     return canonical(Graphlet(tuple(terms.values()), fact.fact.main))
 
 

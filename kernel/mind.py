@@ -24,7 +24,7 @@ from kernel.memory.attention import ROOM, Attention, Failure, Focus
 from kernel.memory.change import SESSION, Change
 from kernel.memory.exchange import Inputs, Outputs
 from kernel.memory.experience import Experience
-from kernel.memory.lesson import INNATE, Lesson
+from kernel.memory.lesson import INNATE, Lesson, Resting
 from kernel.memory.meaning import Command, Control, Heard, Question, Revision, Utterance
 from kernel.memory.operators import Operators
 from kernel.memory.policy import Shift
@@ -45,6 +45,7 @@ class Mind:
     Args:
         lessons: what is in force from the start, born knowledge included.
         history: every stored change of what was taught, oldest first.
+        resting: stored lessons that cannot be in force.
         seed: of the chances it takes.
         settings: numbers of mind.md.
     """
@@ -55,6 +56,7 @@ class Mind:
         seed: int = 0,
         settings: Settings | None = None,
         history: Iterable[Change] = (),
+        resting: Iterable[Resting] = (),
     ) -> None:
         for package in ("kernel.directives", "kernel.grounding", "kernel.answering"):
             load_all(package)
@@ -73,6 +75,7 @@ class Mind:
             self._commons.bear(lesson)
         for change in history:
             self._commons.change(change)
+        self._commons.resting = tuple(resting)
         memory.refresh()
 
     @property

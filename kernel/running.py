@@ -9,7 +9,7 @@ from kernel.action.chain import Chain, Directive, Loop, Part, Play
 from kernel.action.step import DIRECTIVES, Run
 from kernel.action.verdict import Verdict
 from kernel.commons import Commons
-from kernel.finding import Options, bindings, following, not_found, recalled
+from kernel.finding import LookUp, recalled
 from kernel.looping import looped
 from kernel.memory.attention import Failure, Focus, Progress
 from kernel.memory.experience import Occasion
@@ -63,9 +63,14 @@ class Frame:
 
     def command(self, chain: Chain, words: str, at: int = 0) -> Run:
         """The chain of a command, from the play at the index on; the focus knows how far it has come."""
+        chain = chain.finds_first()
         self.focus.progress = Progress(words, chain, at, self.binding)
         rest = Chain(chain.plays[at:])
-        return (yield from self.chain(rest, followed=True))
+        verdict = yield from self.chain(rest, followed=True)
+        if verdict is Verdict.PUNTED:
+            self.explain("given_up", None)
+            return Verdict.FAILED
+        return verdict
 
     def found(self, progress: Progress) -> Binding:
         """What the look-ups of the command have found so far."""
@@ -75,26 +80,17 @@ class Frame:
     def chain(self, chain: Chain, followed: bool = False) -> Run:
         """Play after play; a failure goes back to the nearest FIND that has another binding."""
         done = self.focus.progress if followed else None
-        index, failure = 0, self.focus.failure
-        open_finds: list[tuple[int, Options]] = []
-        while index < len(chain.plays):
-            play = chain.plays[index]
+        index, failure, plays = 0, self.focus.failure, chain.finds_first().plays
+        open_finds: list[tuple[int, Directive, LookUp]] = []
+        while index < len(plays):
+            play = plays[index]
             if done is not None:
                 self.focus.progress = replace(done, at=done.at + index, binding=self.found(done))
-            if (find := _lone_find(play)) is not None:
-                later = [d for p in chain.plays[index + 1 :] for d in Chain((p,)).directives()]
-                options = bindings(self, find, later)
-                yield from self.breathe()
-                self.commons.record("directive", self.focus, **self.told(find))
-                binding = yield from following(options)
-                self.found_out(find, binding)
-                if binding is None:
-                    not_found(self, find)
-                    verdict = Verdict.FAILED
-                else:
-                    open_finds.append((index, options))
-                    self.binding = binding
-                    verdict = Verdict.SUCCEEDED
+            if (find := play.find) is not None:
+                look_up = LookUp(self, find, list(Chain(plays[index + 1 :]).directives()))
+                verdict = yield from self.directive(find, look_up)
+                if verdict.ok:
+                    open_finds.append((index, find, look_up))
             else:
                 verdict = yield from self.play(play)
                 self.desperate = self.desperate and not verdict.ok
@@ -105,12 +101,12 @@ class Frame:
             if verdict in (Verdict.PUNTED, Verdict.STOPPED):
                 return verdict
             while open_finds:
-                index, options = open_finds[-1]
-                binding = yield from following(options)
-                if (find := _lone_find(chain.plays[index])) is not None:
-                    self.found_out(find, binding)
-                if binding is not None:
-                    self.binding = binding
+                index, find, look_up = open_finds[-1]
+                again = yield from look_up.next()
+                self.directive_ended(find, again)
+                if again is Verdict.STOPPED:
+                    return again
+                if again.ok:
                     index += 1
                     break
                 open_finds.pop()
@@ -158,16 +154,17 @@ class Frame:
             return looped(self, part)
         return self.directive(part)
 
-    def directive(self, directive: Directive) -> Run:
-        """Post the directive: its graphlet becomes nodes, its code runs."""
+    def directive(self, directive: Directive, look_up: LookUp | None = None) -> Run:
+        """Post the directive: its graphlet becomes nodes, its code runs. look_up: of a FIND."""
         code = DIRECTIVES.get(directive.tag)
         if code is None:
             self.explain("no_way", None, directive.tag)
             return Verdict.FAILED
         yield from self.breathe()
-        told = self.told(directive)
-        self.commons.record("directive", self.focus, **told)
-        step = RunningStep(self, directive)
+        self.commons.record("directive", self.focus, **self.told(directive))
+        if directive.tag == "FIND" and look_up is None:
+            look_up = LookUp(self, directive)
+        step = RunningStep(self, directive, look_up)
         run = code(step)
         if directive.tag == "DO" and step.node is not None:
             descent = (self.within, self.occasion, self.deed)
@@ -181,22 +178,22 @@ class Frame:
                 # What was punted is the chain below; this one may try another way.
                 verdict = Verdict.FAILED
         finally:
-            self.commons.record("directive_ended", self.focus, verdict=verdict.value, **told)
+            self.directive_ended(directive, verdict)
         return verdict
 
     def told(self, directive: Directive) -> dict[str, str | int]:
         """What the trace says of a directive."""
         return {"tag": directive.tag, "text": directive_text(directive), "depth": len(self.within)}
 
-    def found_out(self, find: Directive, binding: Binding | None) -> None:
-        """Leave in the trace what a look-up came to, each time it is gone back to."""
-        words: list[str] = []
-        if binding is not None and find.graphlet is not None:
-            node = binding[find.graphlet.main]
+    def directive_ended(self, directive: Directive, verdict: Verdict) -> None:
+        """Leave in the trace what it came to: a look-up each time it is gone back to, with what it found."""
+        found: dict[str, str] = {}
+        if directive.tag == "FIND" and directive.graphlet is not None and verdict.ok:
+            node = self.binding[directive.graphlet.main]
             told = (node, *descriptions(node))
             words = sorted("not " * n.negated + word for n in told for word in n.lex)
-        verdict = Verdict.FAILED if binding is None else Verdict.SUCCEEDED
-        ended = {"verdict": verdict.value, "found": " ".join(words), **self.told(find)}
+            found["found"] = " ".join(words)
+        ended = {"verdict": verdict.value, **found, **self.told(directive)}
         self.commons.record("directive_ended", self.focus, **ended)
 
     def recalled(self, graphlet: Graphlet) -> Binding | None:
@@ -282,8 +279,3 @@ def directive_text(directive: Directive) -> str:
     terms = sorted(graphlet.terms, key=lambda t: t.name != graphlet.main)
     words = (word for t in terms for word in (*sorted(t.lex), *filter(None, (t.literal,))))
     return " ".join(words)
-
-
-def _lone_find(play: Play) -> Directive | None:
-    part = play.only
-    return part if isinstance(part, Directive) and part.tag == "FIND" else None

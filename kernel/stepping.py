@@ -3,7 +3,10 @@
 from __future__ import annotations
 
 from functools import partial
+from typing import TYPE_CHECKING
 
+from kernel.action.call import counted
+from kernel.action.chain import Directive
 from kernel.action.step import Advice, Run, StepReason, break_off
 from kernel.action.verdict import Verdict
 from kernel.advising import AdvisedStep
@@ -11,16 +14,25 @@ from kernel.calling import call
 from kernel.learning import learn
 from kernel.memory.contraries import definite, ended_by
 from kernel.memory.meaning import Question
-from kernel.memory.recall import Notice, answer, is_so, known, named, now_so, unnoticed
+from kernel.memory.recall import Notice, answer, is_so, known, missing, named, now_so, unnoticed
 from kernel.memory.reply import Answer, Failed, Reason
-from kernel.memory.wondering import spelled_out
+from kernel.memory.wondering import is_thing, spelled_out
 from kernel.net.match import matches
 from kernel.stopping import stop_matching
 from kernel.using import use
 
+if TYPE_CHECKING:
+    from kernel.finding import LookUp
+    from kernel.running import Frame
+
 
 class RunningStep(AdvisedStep):
     """A directive being carried out (kernel.action.step.Step): what its code asks of memory, policy and body."""
+
+    def __init__(self, frame: Frame, directive: Directive, look_up: LookUp | None = None) -> None:
+        """look_up: what a FIND may be bound to."""
+        super().__init__(frame, directive)
+        self._look_up = look_up
 
     def pursue(self, advice: Advice) -> Run:
         """Run the operator's chain until the condition is so; what went wrong on the way does not count then."""
@@ -98,15 +110,10 @@ class RunningStep(AdvisedStep):
                     return verdict
         return None
 
-    def referent(self) -> bool:
-        """FIND inside a play: the first option is taken, without coming back."""
-        graphlet = self.directive.graphlet
-        if graphlet is None or graphlet.main in self.frame.binding:
-            return True
-        binding = self.frame.recalled(graphlet)
-        if binding is not None:
-            self.frame.binding = binding
-        return binding is not None
+    def look_up(self) -> Run:
+        """FIND: take the first option; the chain comes back to the look-up for others."""
+        assert self._look_up is not None
+        return self._look_up.next()
 
     def call(self) -> Run:
         """FCN: the function's name is the word of the main node, the act is what its arg points to."""
@@ -156,19 +163,21 @@ class RunningStep(AdvisedStep):
 
     def times(self) -> int:
         """The count under the action node."""
-        for node in self.node.modifiers("cnt") if self.node else ():
-            if node.literal and node.literal.isdigit():
-                return int(node.literal)
-        return 1
+        return counted(self.node) if self.node else 1
 
     def explain(self, reason: StepReason) -> None:
         """Say why; operators that were left out because they are running already mean recursion."""
         if reason == "prohibited":
             return
+        graphlet = self.directive.graphlet
+        if reason == "nothing_found" and graphlet is not None and not is_thing(graphlet):
+            reason = "not_known"
         if reason in ("not_so", "not_known", "not_achieved"):
-            graphlet = self.directive.graphlet
             about = (spelled_out(graphlet, self.frame.binding),) if graphlet else ()
             self.frame.explain(reason, None, about=about)
+            return
+        if reason == "nothing_found":
+            self.frame.explain(reason, None, missing(self.directive))
             return
         why: Reason = "recursion" if reason == "no_way" and self.selection.ruled_out else reason
         self.frame.explain(why, self.node)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import Final
 
 from grammars.build import particles
@@ -10,7 +11,7 @@ from grammars.morphology import plural
 from grammars.render.clauses import conditions, wonder, wonders
 from grammars.render.deeds import deed
 from grammars.render.procedures import procedure, without
-from grammars.render.telling import SAYING, Telling, Voice, linked, word
+from grammars.render.telling import SAYING, Telling, Voice, is_predicate, linked, word
 from grammars.render.things import literally, pronoun, thing
 from kernel.memory.lesson import LEARN, Operator, Rule
 from kernel.net.graphlet import Graphlet, Term
@@ -137,11 +138,20 @@ def generic(content: Rule) -> str:
 def fact(content: Graphlet, finds: tuple[Graphlet, ...], voice: Voice) -> str:
     """The sentence that tells a fact about the things looked up."""
     main = content.head
+    if main and not finds and len(content.terms) > 1 and not is_predicate(main):
+        content, finds = _named(content, main)
     subjects = [other for role, other in main.links if role in SAYING] if main else []
     if main and not main.negated and subjects and _is_new(content, finds, subjects[0]):
         return f"there is {thing(Telling((*finds, content), (), voice), subjects[0])}"
     belief = main.belief if main else 1.0
     return conditions(Telling(finds, (content,), voice), content, hedge(belief))
+
+
+def _named(content: Graphlet, main: Term) -> tuple[Graphlet, tuple[Graphlet, ...]]:
+    """A name, and what was given it, which are kept as one."""
+    others = tuple(term for term in content.terms if term is not main)
+    described = Graphlet((replace(main, lex=frozenset()), *others), main.name)
+    return Graphlet((replace(main, ref=""),), main.name), (described,)
 
 
 def _is_new(content: Graphlet, finds: tuple[Graphlet, ...], name: str) -> bool:

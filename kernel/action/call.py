@@ -145,6 +145,14 @@ class Tick:
 Act = Generator[Bid | None, None, Verdict]
 
 
+def counted(act: Node) -> int:
+    """How often it is to be done: "twice" is 2."""
+    for node in act.modifiers("cnt"):
+        if node.literal and node.literal.isdigit():
+            return int(node.literal)
+    return 1
+
+
 @dataclass(frozen=True, slots=True)
 class Call:
     """A grounding function is called on an action node.

@@ -40,6 +40,11 @@ class Play:
         """Its one part; None where there are several."""
         return self.required[0] if len(self.required) == 1 and not self.auxiliary else None
 
+    @property
+    def find(self) -> Directive | None:
+        """The FIND that is its one part; None for every other play."""
+        return self.only if isinstance(self.only, Directive) and self.only.tag == "FIND" else None
+
 
 @dataclass(frozen=True, slots=True)
 class Chain:
@@ -68,6 +73,17 @@ class Chain:
                     yield from part.graphlets()
                 elif part.graphlet is not None:
                     yield part.graphlet
+
+    def finds_first(self) -> Chain:
+        """With every FIND beside other things in a play before these, so that their failure goes back to it (ours)."""
+        plays: list[Play] = []
+        for play in self.plays:
+            finds = [p for p in play.required if isinstance(p, Directive) and p.tag == "FIND"]
+            plays += [Play((find,)) for find in finds]
+            others = tuple(part for part in play.required if part not in finds)
+            if others or play.auxiliary:
+                plays.append(Play(others, play.auxiliary))
+        return Chain(tuple(plays))
 
     @property
     def parallel(self) -> bool:

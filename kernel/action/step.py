@@ -50,8 +50,8 @@ class Step(Protocol):
     def truth(self) -> bool | None:
         """Whether memory holds the graphlet (True), its denial (False), or neither."""
 
-    def referent(self) -> bool:
-        """Bind the main node to something known, or assume it where that is allowed."""
+    def look_up(self) -> Run:
+        """Bind the main node to the next thing that fits, or assume one where that is allowed."""
 
     def call(self) -> Run:
         """Call the grounding function that the FCN node names, on the node its arg points to."""

@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
+from kernel.action.preparing import prepared
 from kernel.action.step import Run, Step, directive
-from kernel.action.verdict import Verdict
-from kernel.action.vetoing import vetoed
 
 
 @directive("ADD")
@@ -14,6 +13,5 @@ def add(step: Step) -> Run:
     Learning is an act like others: ANTE operators on it come first, and a PUNT in one of them forbids it ("don't let
     Rick teach you"). A veto on whatever somebody tells the robot to do is no veto on learning.
     """
-    if (yield from vetoed(step)):
-        return Verdict.FAILED
-    return (yield from step.learn())
+    verdict = yield from prepared(step)
+    return (yield from step.learn()) if verdict.ok else verdict

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from kernel.action.preparing import prepared
 from kernel.action.step import Run, Step, directive
 from kernel.action.verdict import Verdict
 
@@ -15,13 +16,9 @@ def do(step: Step) -> Run:
 
     Source: Connell 2019, section 3. POST after a PUNT is not stated there; it runs only once acting was allowed.
     """
-    for operator in step.operators("ANTE"):
-        verdict = yield from step.run(operator)
-        if verdict is Verdict.PUNTED:
-            step.explain("prohibited")
-            return Verdict.FAILED
-        if verdict is Verdict.STOPPED:
-            return verdict
+    verdict = yield from prepared(step)
+    if not verdict.ok:
+        return verdict
 
     step.set_about()
     outcome = Verdict.FAILED

@@ -12,8 +12,7 @@ def find(step: Step) -> Run:
 
     Source: mind.md; FIND is named but not described in Connell 2019.
     """
-    if step.referent():
-        return Verdict.SUCCEEDED
-    step.explain("nothing_found")
-    return Verdict.FAILED
-    yield
+    verdict = yield from step.look_up()
+    if verdict is Verdict.FAILED:
+        step.explain("nothing_found")
+    return verdict

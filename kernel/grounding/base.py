@@ -8,7 +8,17 @@ from __future__ import annotations
 import math
 from typing import Final
 
-from kernel.action.call import Act, Bid, Call, Halt, Rotate, Tick, Travel, grounding_function
+from kernel.action.call import (
+    Act,
+    Bid,
+    Call,
+    Halt,
+    Rotate,
+    Tick,
+    Travel,
+    counted,
+    grounding_function,
+)
 from kernel.action.motion import motion, pace
 from kernel.action.verdict import Verdict
 from kernel.errors import LimitError, NotGroundedError
@@ -43,7 +53,7 @@ def base_drive(call: Call, tick: Tick) -> Act:
 
     Raises:
         NotGroundedError: the words name no direction this base knows, or a place it cannot find.
-        LimitError: farther than 2 m.
+        LimitError: farther than 2 m, all times together.
     """
     _no_destination(call)
     sign = _direction(call, AHEAD, default=1.0)
@@ -60,7 +70,7 @@ def base_drive(call: Call, tick: Tick) -> Act:
             raise NotGroundedError(call.verb, unit)
     elif call.endless and not _a_little(call):
         return (yield from motion(Bid("wheels", Travel(sign * speed, None), call.ticket), tick))
-    if distance > FARTHEST_M + SLOP:
+    if distance * counted(call.act) > FARTHEST_M + SLOP:
         raise LimitError(call.verb, "2 meters")
     if distance <= 0:
         return Verdict.SUCCEEDED
@@ -74,7 +84,7 @@ def base_turn(call: Call, tick: Tick) -> Act:
 
     Raises:
         NotGroundedError: the words name no direction this base knows.
-        LimitError: more than 720 degrees.
+        LimitError: more than 720 degrees, all times together.
     """
     _no_destination(call)
     words = _known_words(call, {*ROUND, "around"})
@@ -98,7 +108,7 @@ def base_turn(call: Call, tick: Tick) -> Act:
             raise NotGroundedError(call.verb, unit)
     elif call.endless and not _a_little(call):
         return (yield from motion(Bid("wheels", Rotate(sign * rate, None), call.ticket), tick))
-    if angle > WIDEST_RAD + SLOP:
+    if angle * counted(call.act) > WIDEST_RAD + SLOP:
         raise LimitError(call.verb, "720 degrees")
     if angle <= 0:
         return Verdict.SUCCEEDED

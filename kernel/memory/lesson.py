@@ -135,3 +135,24 @@ class Lesson:
             case Rule(belief=belief):
                 return belief
         return 1.0
+
+
+@dataclass(frozen=True, slots=True)
+class Resting:
+    """A lesson that is kept but not in force, as its content cannot be read or followed any more.
+
+    why: what is wrong with it; change: the one that taught it; the rest as of a lesson.
+    """
+
+    ident: int
+    words: str
+    why: str
+    kind: str = ""
+    teacher: str = ""
+    at_s: float = 0.0
+    change: int = 0
+
+    @property
+    def prohibits(self) -> bool:
+        """It may forbid something: of these kinds are the vetoes (ours: who cannot read it takes it for one)."""
+        return self.kind in ("prohibition", "permission")

@@ -12,12 +12,11 @@ from hypothesis import strategies as st
 
 from daemon.lessonfile import Line, NotTextError, read_lines, written
 from daemon.lessons import Row, rows
-from daemon.store import Resting
 from daemon.teaching import Plan, changed, lesson_of, plan
 from grammars.errors import NotUnderstoodError
 from grammars.parse import parse
 from kernel.memory.change import Adapted, Change
-from kernel.memory.lesson import Lesson
+from kernel.memory.lesson import Lesson, Resting
 from kernel.memory.meaning import Fact, Meaning
 from kernel.memory.notation import write
 from tests.grammars import nets

@@ -5,10 +5,9 @@ from __future__ import annotations
 import msgspec
 
 from daemon.lessons import Row, missing, rows
-from daemon.store import Resting
 from grammars.parse import parse
 from kernel.memory.change import Adapted, Change
-from kernel.memory.lesson import Lesson
+from kernel.memory.lesson import Lesson, Resting
 from kernel.memory.meaning import Teach
 
 

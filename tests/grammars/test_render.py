@@ -11,7 +11,8 @@ from hypothesis import strategies as st
 from grammars.parse import parse
 from grammars.registry import discover
 from grammars.render import gist, render
-from kernel.memory.meaning import Meaning, Teach
+from kernel.managing import whole
+from kernel.memory.meaning import Fact, Meaning, Teach
 from kernel.memory.notation import canonical, read, write_meaning
 from tests.grammars import nets
 
@@ -378,6 +379,27 @@ def test_any_rule(meaning: Teach) -> None:
 @given(nets.facts)
 def test_any_fact(meaning: Meaning) -> None:
     same(render(meaning, "teacher"), "fact", meaning)
+
+
+@pytest.mark.parametrize(
+    "sentence",
+    [
+        "the red block is Bob",
+        "this block is Tim",
+        "Mary's cat is Tom",
+        "Ken's wife's bottle is Poppy",
+        "the big red block is heavy",
+        "Mary is Rick's sister",
+    ],
+)
+def test_a_fact_as_it_is_kept(sentence: str) -> None:
+    """One graphlet, with the descriptions of what it is about."""
+    fact = parse(sentence).meaning
+    assert isinstance(fact, Fact)
+    kept = render(whole(fact), "teacher")
+    assert kept == sentence
+    again = parse(kept).meaning
+    assert isinstance(again, Fact) and whole(again) == whole(fact)
 
 
 @given(st.one_of(nets.procedures, nets.reactions, nets.prohibitions, nets.permissions, nets.rules))

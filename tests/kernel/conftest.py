@@ -13,7 +13,7 @@ from kernel.action.chain import Chain
 from kernel.action.trace import Record
 from kernel.memory.change import Change
 from kernel.memory.exchange import Inputs, Outputs
-from kernel.memory.lesson import Content, Lesson, Operator, Rule
+from kernel.memory.lesson import Content, Lesson, Operator, Resting, Rule
 from kernel.memory.meaning import Command, Control, Fact, Heard, Identity, Meaning, Teach, Utterance
 from kernel.memory.notation import read, read_chain
 from kernel.memory.reply import AskKeep, Failed, Reply
@@ -106,11 +106,16 @@ class Robot:
     """
 
     def __init__(
-        self, lessons: Iterable[Lesson] = (), seed: int = 0, settings: Settings | None = None
+        self,
+        lessons: Iterable[Lesson] = (),
+        seed: int = 0,
+        settings: Settings | None = None,
+        history: Iterable[Change] = (),
+        resting: Iterable[Resting] = (),
     ) -> None:
         lessons = tuple(lessons)
         self._begun_with = lessons, seed, settings
-        self.mind = Mind(lessons, seed, settings)
+        self.mind = Mind(lessons, seed, settings, history, resting)
         self.body = Frictionless()
         self.now_s = 0.0
         self.moves: list[tuple[float, Any]] = []

@@ -7,7 +7,7 @@ import pytest
 from kernel.action.call import MoveGrip, MoveLift, Rotate, Travel
 from kernel.memory.attention import Focus
 from kernel.memory.change import Change
-from kernel.memory.lesson import Lesson, Operator
+from kernel.memory.lesson import Lesson, Operator, Resting
 from kernel.memory.meaning import Control, Fact, Heard, Revision, Teach, Utterance
 from kernel.memory.notation import read
 from kernel.memory.reply import (
@@ -315,6 +315,31 @@ def test_who_may_not_permit_may_not_bring_a_permission_back(speaker: str, moved:
     assert robot.do(GRAB_MARY) == []
     control(robot, "undo", speaker)
     assert robot.do(GRAB_MARY) == moved
+
+
+@pytest.mark.parametrize(
+    ("kind", "speaker", "may"),
+    [
+        ("prohibition", "rick", False),
+        ("permission", "rick", False),
+        ("prohibition", "mary", True),
+        ("prohibition", "janey", True),
+        ("procedure", "rick", True),
+    ],
+)
+@pytest.mark.parametrize("how", ["forget", "undo_today"])
+def test_who_may_take_back_a_lesson_that_rests(
+    kind: str, speaker: str, may: bool, how: str
+) -> None:
+    """Nobody can read what it says, but the store knows who taught it and what sort it is."""
+    sleeper = Resting(50, "never grab a girl", "broken", kind, "mary", 0.0, change=10)
+    robot = Robot(settings=Settings(owner="janey"), resting=(sleeper,), history=(Change(10),))
+    robot.i_am(speaker)
+    robot.teach(TO_WIGGLE)
+    control(robot, how, speaker, **({"lessons": (50,)} if how == "forget" else {}))
+    taken = [change for change in robot.journal if change.retracted or change.undone]
+    assert (robot.reasons == ["not_yours"]) is not may
+    assert bool(taken) is may
 
 
 # -- revision ------------------------------------------------------------------------------

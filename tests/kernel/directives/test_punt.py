@@ -10,7 +10,8 @@ DRIVE = "DO[ act-{0} -lex- drive; dir-{1} -lex- {2}; -dir-> act-{0} ]"
 def test_nothing_after_it_is_done(robot: Any) -> None:
     robot.do(f"{DRIVE.format(1, 2, 'forward')}; PUNT[ ]; {DRIVE.format(3, 4, 'backward')}")
     assert robot.moved == [Travel(0.2, 1.0)]
-    assert robot.records("verdict")[-1].data["verdict"] == "punted"
+    assert robot.records("verdict")[0].data["verdict"] == "failed"
+    assert robot.replies[-1].reason == "given_up"
 
 
 def test_it_does_not_go_back_for_another_binding_in_its_own_chain(robot: Any) -> None:
