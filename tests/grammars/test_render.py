@@ -399,7 +399,8 @@ def test_a_fact_as_it_is_kept(sentence: str) -> None:
     kept = render(whole(fact), "teacher")
     assert kept == sentence
     again = parse(kept).meaning
-    assert isinstance(again, Fact) and whole(again) == whole(fact)
+    assert isinstance(again, Fact)
+    assert whole(again) == whole(fact)
 
 
 @given(st.one_of(nets.procedures, nets.reactions, nets.prohibitions, nets.permissions, nets.rules))
