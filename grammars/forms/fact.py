@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Final
+
 from grammars.alist import AList
 from grammars.build import Build, NoMeaningError
 from grammars.clauses import clause
@@ -24,6 +26,7 @@ EXAMPLES = (
     "the ball is behind you",
 )
 
+LONGEST_QUOTE: Final = 6  # words somebody is told to have said; at more length it is gossip
 
 @sentence_form("fact", "fact", EXAMPLES)
 def fact(alist: AList) -> Fact:
@@ -47,7 +50,9 @@ def fact(alist: AList) -> Fact:
 
 
 def _check_subject(said: AList) -> None:
-    """Refuse subjects of generic sentences and of small talk: "a girl", "girls", "I"."""
+    """Refuse subjects of generic sentences and of small talk: "a girl", "girls", "I"; and what was said at length."""
+    if len(said.slot("quote").split()) > LONGEST_QUOTE:
+        raise NoMeaningError("gossip")
     pred = said.find("pred")
     if pred is not None and pred.has("isname"):
         raise NoMeaningError("a name; read as such")
