@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Final
 
-SELF: Final = {"you": "you", "yourself": "you", "me": "me", "i": "me"}
+SELF: Final = {"you": "you", "yourself": "you", "me": "me", "i": "me", "mine": "me", "yours": "you"}
 SELF_OWN: Final = {"my": "me", "your": "you"}
 OWNING: Final = {"his": "he", "her": "she", "its": "it", "their": "they", "our": "we"}
 PERSONAL: Final = frozenset("him her he she".split())

@@ -8,14 +8,31 @@ from hypothesis.strategies import DrawFn, SearchStrategy
 from kernel.action.chain import Chain, Directive, Loop, Play
 from kernel.memory.lesson import Operator, Rule
 from kernel.memory.meaning import Command, Fact, Meaning, Teach
-from kernel.net.graphlet import Graphlet, Sketch
+from kernel.net.graphlet import Graphlet, Sketch, Term
 
 KINDS = ["block", "cup", "person", "ball", "cereal box", "umbrella", "cat"]
 NAMES = ["mary", "rick", "janey"]
 QUALITIES = ["red", "heavy", "close", "open", "fragile"]
 DEGREES = ["very", "too"]
 VERBS = ["grab", "release", "push", "touch"]
-QUOTES = ["hello", "I'm not allowed to", "watch out and stop", "left turn", "if you can"]
+QUOTES = [
+    *(
+        "hello",
+        "I'm not allowed to",
+        "watch out and stop",
+        "left turn",
+        "if you can",
+        "10 inches, then",
+    ),
+    *(
+        "stop",
+        "to dance turn left",
+        "unless Mary is near",
+        "never grab a cup",
+        "Zork! É?",
+        "5 of 7: ok",
+    ),
+]
 PLACES = ["next to", "behind", "in front of", "under", "left of"]
 
 
@@ -366,3 +383,44 @@ def _reached(draft: Draft) -> Meaning:
 
 
 reached = _with(_reached)
+
+
+def _trusting(draft: Draft) -> Meaning:
+    """Who may order what: an act, or anything at all."""
+    act = draft.add("act") if draft.maybe() else draft.action(pattern=True)
+    name = draft.one_of(*draft.names) if draft.names else "mary"
+    boss = draft.add("obj", name)
+    draft.add("act", "tell", agt=boss, dest=draft.oneself("you"), cmd=act)
+    return Teach("permission", Operator(Directive("ALLOW", draft.graphlet(act)), Chain()))
+
+
+def _alias(draft: Draft) -> Meaning:
+    """A new word for a known one of each sort of node."""
+    node, old = draft.draw(
+        st.sampled_from([("act", "rotate"), ("dir", "left"), ("mod", "slowly"), ("hq", "red")])
+    )
+    new = draft.one_of("zork", "widder", "blimmish")
+    said, meant = (Graphlet((Term(f"{node}-1", frozenset((w,))),), f"{node}-1") for w in (new, old))
+    return Teach("alias", Rule(said, meant))
+
+
+def _news(draft: Draft) -> Meaning:
+    """Facts of other sorts: who has what, whose it is, what is more than what."""
+    sort = draft.one_of("has", "whose", "more", "name")
+    thing = draft.looked_up("the")
+    if sort == "whose":
+        owner = draft.oneself(draft.one_of("me", "you"))
+        main = draft.add("own", own=thing, of=owner)
+    elif sort == "has":
+        had = draft.add("obj")
+        draft.add("ako", draft.one_of("hat", "handle"), ako=had)
+        main = draft.add("act", "have", agt=thing, obj=had)
+    elif sort == "more":
+        other = draft.looked_up("the")
+        main = draft.add("hq", draft.one_of("tall", "heavy"), hq=thing, than=other)
+    else:
+        main = draft.add("loc", draft.one_of(*PLACES), loc=thing, wrt=draft.looked_up("the"))
+    return Fact(draft.graphlet(main), tuple(draft.finds))
+
+
+trustings, aliases, news = _with(_trusting), _with(_alias), _with(_news)

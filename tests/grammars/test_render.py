@@ -348,7 +348,7 @@ def test_any_command(meaning: Meaning) -> None:
     st.one_of(
         *(nets.procedures, nets.arounds, nets.reactions, nets.reached),
         *(nets.prohibitions, nets.permissions, nets.trusts),
-        *(nets.findings, nets.failings),
+        *(nets.findings, nets.failings, nets.trustings, nets.aliases),
     )
 )
 def test_any_operator(meaning: Teach) -> None:
@@ -376,7 +376,7 @@ def test_any_rule(meaning: Teach) -> None:
 
 
 @settings(max_examples=25, deadline=None)
-@given(nets.facts)
+@given(st.one_of(nets.facts, nets.news))
 def test_any_fact(meaning: Meaning) -> None:
     same(render(meaning, "teacher"), "fact", meaning)
 
