@@ -9,8 +9,9 @@ from typing import Final
 from grammars.alist import AList
 from grammars.chains import bare_chain, count, plays
 from grammars.clauses import stated
+from grammars.mentions import DEGREES
 from grammars.things import NoMeaningError, Things
-from grammars.vocabulary import lines
+from grammars.vocabulary import BORN, lines
 from kernel.action.chain import Chain, Directive, Play
 from kernel.net.graphlet import Graphlet
 
@@ -64,7 +65,8 @@ class Build(Things):
         if (iobj := action.find("iobj")) is not None:
             links["dest"] = self.thing(iobj.first("np"), person=True)
         if (dest := action.find("dest")) is not None:
-            links["dest"] = self.aside(dest.first("np"))
+            every = dest.find("every")
+            links["dest"] = self.aside(dest.first("np")) if every is None else self.every(every)
         act = self.add("act", verb, **links)
         if way:
             self.add("dir", way, dir=act)
@@ -118,9 +120,17 @@ class Build(Things):
                 self.place("loc", act, part.first("loc"))
 
     def _manner(self, act: str, manner: AList) -> None:
-        mod = self.add("mod", manner.slot("adv") or manner.value or "", mod=act)
+        faster = manner.find("faster")
+        word = manner.slot("adv") or manner.value or ""
+        if faster is not None:
+            word = faster.slot("adv") or faster.value or ""
+            if "ADV" not in BORN.readings(word):  # "drive bigger"
+                raise NoMeaningError(str(manner))
+        mod = self.add("mod", word, mod=act)
+        if faster is not None:
+            self.add("deg", "more", deg=mod)
         for deg in manner.all("deg"):
-            self.add("deg", deg.value or "", deg=mod)
+            self.add("deg", DEGREES.get(deg.value or "", deg.value or ""), deg=mod)
 
     def _speech(self, speech: AList) -> str:
         verb = next(part.name for part in speech if part.name in ("say", "tell", "ask"))

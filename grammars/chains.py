@@ -15,6 +15,7 @@ if TYPE_CHECKING:
 
 
 TURNS: Final = frozenset(("left", "right", "clockwise", "counterclockwise", "around"))
+TIMES: Final = frozenset(("second", "minute", "hour"))
 LIFTS: Final = {"up": "raise", "down": "lower"}
 
 
@@ -102,9 +103,15 @@ def bare_chain(bare: AList) -> AList:
     plays = []
     for part in bare.all("barely"):
         parts = part.parts or (AList("dir", value=part.value),)
-        way = "up" if part.find("higher") is not None else (parts[0].value or "")
+        ahead = next((p.value for p in parts if p.name == "dir"), None)
+        way = "up" if part.find("higher") is not None else (ahead or "")
+        unit = parts[0].slot("unit") if parts[0].name == "amt" else ""
+        if unit in TIMES or (unit != "degree" and unit and way == "left"):
+            raise NoMeaningError(str(part))  # "two minutes left", "ten inches left": what remains
         verb = "turn" if way in TURNS else LIFTS.get(way, "drive")
-        rest = parts[1:] if verb in LIFTS.values() else parts
+        rest = parts
+        if verb in LIFTS.values():
+            rest = tuple(p for p in parts if p.name not in ("dir", "higher"))
         if verb in LIFTS.values():
             lift = AList("np", (AList("det", value="the"), AList("ako", value="lift")))
             rest = (lift, *rest)

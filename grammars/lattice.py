@@ -15,7 +15,7 @@ from grammars.vocabulary import OPEN, Vocabulary
 
 # Words around a set phrase that are no part of it.
 ADDRESS: Final = frozenset(
-    "hey okay robot now please well so alright listen kindly for me then thanks".split()
+    "hey okay robot now please well so alright listen kindly for me then thanks could can would will you".split()
 )
 # Words after a name that tell of what kind somebody is.
 CALLING: Final = ("called", "named")

@@ -26,6 +26,7 @@ _FEMALE: Final = (
 _MALE: Final = frozenset("boy man father brother son uncle grandfather husband nephew".split())
 ANY_KIND: Final = frozenset(("thing", "object", "item", "stuff"))
 REFS: Final = {"the": "the", "this": "this", "that": "that", "these": "this", "those": "that"}
+DEGREES: Final = {"all the way": "fully", "a little": "little", "a bit": "little"}
 PLACES: Final = {
     "to the left of": "left of",
     "on the left of": "left of",

@@ -21,8 +21,8 @@ TOKEN = re.compile(
       | (?P<other>\S)""",
     re.VERBOSE,
 )
-FILLERS: Final = frozenset("uh um er erm uhm hmm ah eh mm huh".split())
 THINKING: Final = (("you", "know"), ("like",), ("basically",), ("i", "guess"))
+FILLERS: Final = frozenset("uh um er erm uhm hmm ah eh mm huh umm uhh uhhh ummm err hm".split())
 WHOLE: Final = {
     "can't": "can not",
     "cannot": "can not",
@@ -48,6 +48,9 @@ WHOLE: Final = {
     "ok": "okay",
     "pls": "please",
     "'em": "them",
+    "till": "until",
+    "til": "until",
+    "firstly": "first",
 }
 ENDINGS: Final = {"'m": "am", "'re": "are", "'ve": "have", "'ll": "will", "'d": "would"}
 # "it's" and "what's" are never possessives; other words with 's may be.
@@ -69,6 +72,9 @@ TENS: Final = {
 }
 # Categories whose words are put right one for one: "turn left no right". A verb takes all after it along.
 REPAIRABLE: Final = ("DIR", "ADV", "UNIT", "ADJ", "NOUN", "PROPER", "VERB")
+
+
+MOST_STAMMERED: Final = 3
 
 
 @dataclass(frozen=True, slots=True)
@@ -175,7 +181,7 @@ def _number(words: Sequence[str]) -> tuple[float, int]:
         at += 1
     if at and list(words[at : at + 3]) == ["and", "a", "half"]:
         return total + current + 0.5, at + 3
-    if at and words[at : at + 1] == ["point"] and words[at + 1 : at + 2]:
+    if words[at : at + 1] == ["point"] and words[at + 1 : at + 2]:
         tenth = SMALL.get(words[at + 1], 10)
         if tenth < 10:
             return total + current + tenth / 10, at + 2
@@ -193,6 +199,7 @@ def _hyphen(word: str) -> float:
 
 def _fraction(words: Sequence[str]) -> tuple[float, int]:
     for phrase, value in (
+        ("three quarters of a", 0.75),
         ("half a", 0.5),
         ("half an", 0.5),
         ("a half", 0.5),
@@ -223,12 +230,24 @@ def without_chat(found: Sequence[Piece]) -> list[Piece]:
 
 
 def without_repeats(found: Sequence[Piece]) -> list[Piece]:
-    """Stammered words once: "turn turn left"."""
-    return [
-        piece
-        for at, piece in enumerate(found)
-        if at == 0 or piece.text != found[at - 1].text or piece.kind == "number"
-    ]
+    """Stammered words once: "turn turn left", "grab the grab the cup".
+
+    Of two whole sentences the same nothing was broken off: they are said twice.
+    """
+    result: list[Piece] = []
+    for piece in found:
+        result.append(piece)
+        for size in range(1, MOST_STAMMERED + 1):
+            last, before = result[-size:], result[-2 * size : -size]
+            broken_off = size == 1 or 2 * size < len(found)
+            if broken_off and last[0].kind == "word" and _texts(last) == _texts(before):
+                del result[-size:]
+                break
+    return result
+
+
+def _texts(found: Sequence[Piece]) -> list[str]:
+    return [piece.text for piece in found]
 
 
 def repaired_by_speaker(
@@ -239,7 +258,15 @@ def repaired_by_speaker(
     sorts: the categories of a word; the correction takes the place of what is of its sort.
     """
     texts = [piece.text for piece in found]
-    for marker in (["i", "mean"], ["no", "wait"], ["or", "rather"], ["sorry"], ["no"]):
+    for marker in (
+        ["no", "i", "mean"],
+        ["make", "that"],
+        ["i", "mean"],
+        ["no", "wait"],
+        ["or", "rather"],
+        ["sorry"],
+        ["no"],
+    ):
         for at in range(1, len(texts) - len(marker)):
             if texts[at : at + len(marker)] != marker:
                 continue

@@ -15,6 +15,7 @@ from typing import Any
 from grammars.alist import AList
 from grammars.mentions import (
     ANY_KIND,
+    DEGREES,
     NOBODY,
     OWNING,
     PERSON_WORDS,
@@ -89,7 +90,7 @@ class Things:
         """Node of the thing a noun phrase means."""
         if np.value is not None and np.name == "np":
             raise NoMeaningError(str(np))
-        pron = np.slot("pron")
+        pron = np.slot("pron") or np.slot("pronoun")
         if pron in SELF:
             return self.oneself(SELF[pron])
         if pron:
@@ -196,7 +197,7 @@ class Things:
         )
         hq = self.add("hq", word, hq=name, negated=negated)
         for deg in qual.all("deg"):
-            self.add("deg", deg.value or "", deg=hq)
+            self.add("deg", DEGREES.get(deg.value or "", deg.value or ""), deg=hq)
         if qual.has("more"):
             self.add("deg", "more", deg=hq)
         if qual.has("most") or qual.has("most_of"):

@@ -28,6 +28,9 @@ TABLE = [
     ("two hundred", "200"),
     ("one and a half feet", "1.5 feet"),
     ("half a meter", "0.5 meter"),
+    ("point five meters", "0.5 meters"),
+    ("three quarters of a meter", "0.75 meter"),
+    ("till it is close", "until it is close"),
     ("one point five meters", "1.5 meters"),
     ("10cm", "10 cm"),
     ("2.5 inches", "2.5 inches"),
@@ -62,12 +65,21 @@ def test_words_said_while_thinking_are_left_out() -> None:
     assert plain("mary is like a girl") == "mary is like a girl"
 
 
+def test_a_phrase_begun_twice_is_said_once_but_not_a_whole_sentence() -> None:
+    def once(text: str) -> str:
+        return " ".join(piece.text for piece in without_repeats(pieces(text)))
+
+    assert once("grab the grab the cup") == "grab the cup"
+    assert once("wait for it wait for it") == "wait for it wait for it"
+
+
 def test_the_speaker_corrects_himself() -> None:
     def corrected(text: str) -> str:
         return " ".join(piece.text for piece in repaired_by_speaker(pieces(text)))
 
     assert corrected("turn left i mean right") == "turn right"
     assert corrected("raise the lift no wait lower the lift") == "lower the lift"
+    assert corrected("drive two no three feet") == "drive 3 feet"
     assert corrected("turn left") == "turn left"
     assert corrected("drive forward five no six inches") == "drive forward 6 inches"
     assert corrected("drive forward five inches i mean six") == "drive forward 6 inches"
