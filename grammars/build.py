@@ -89,7 +89,7 @@ class Build(Things):
 
     def every(self, every: AList) -> str:
         """Node of each thing of a description: what is done to it is done in a loop (grammars.chains)."""
-        if self.pattern:
+        if self.pattern or self.telling:
             raise NoMeaningError(str(every))
         name = self.thing(AList("np", every.parts))
         self.sketch.change(name, ref="each")
