@@ -28,6 +28,7 @@ EXAMPLES = (
 
 LONGEST_QUOTE: Final = 6  # words somebody is told to have said; at more length it is gossip
 
+
 @sentence_form("fact", "fact", EXAMPLES)
 def fact(alist: AList) -> Fact:
     """The predicate with what is new in it; what is known already is looked up."""
