@@ -9,7 +9,7 @@ from typing import Final
 from grammars.alist import AList
 from grammars.chains import bare_chain, count, plays
 from grammars.clauses import stated
-from grammars.mentions import DEGREES
+from grammars.mentions import DEGREES, OWNING, SELF_OWN
 from grammars.things import NoMeaningError, Things
 from grammars.vocabulary import BORN, lines
 from kernel.action.chain import Chain, Directive, Play
@@ -134,10 +134,13 @@ class Build(Things):
 
     def _speech(self, speech: AList) -> str:
         verb = next(part.name for part in speech if part.name in ("say", "tell", "ask"))
-        if (quote := speech.slot("quote")) == "":
+        links: dict[str, str] = {}
+        if (quote := speech.find("quote")) is not None:
+            if not quote.value:
+                raise NoMeaningError(str(speech))
+            links["obj"] = self.add("txt", literal=quote.value)
+        elif speech.first("listener").has("pron"):
             raise NoMeaningError(str(speech))
-        txt = self.add("txt", literal=quote)
-        links = {"obj": txt}
         hearer = speech.find("hearer", "listener")
         if hearer is not None and hearer.parts:
             every = hearer.find("every")
@@ -175,14 +178,25 @@ class Build(Things):
             return Directive("CHK", stated(self, whether.first("conds")))
         if inquiry.has("nearby"):
             return Directive("DO", self.graphlet(self.add("act", "look around")))
+        if (done := inquiry.find("what_done")) is not None:
+            wanted = self.add("obj")
+            self.add("ako", done.slot("attribute"), ako=wanted)
+            self.add("act", done.slot("state"), agt=self.thing(done.first("np")), obj=wanted)
+            return Directive("FIND", self.graphlet(wanted))
         for name, kind in WONDERS.items():
             if (asked := inquiry.find(name)) is not None:
-                thing = self.thing(asked.first("np"))
+                thing = self._asked_of(asked)
                 wanted = self.add(kind, **{kind: thing})
                 if attribute := asked.slot("attribute"):
                     self.add("ako", attribute, ako=wanted)
                 return Directive("FIND", self.graphlet(wanted))
         raise NoMeaningError(str(inquiry))
+
+    def _asked_of(self, asked: AList) -> str:
+        """Whose nature or whereabouts are asked: "what color it is", "its color", "the color of it"."""
+        if own := asked.slot("own"):
+            return self.oneself(SELF_OWN[own]) if own in SELF_OWN else self.pronoun(OWNING[own])
+        return self.thing(asked.first("np", "owner"))
 
     def chain(self, chain: AList) -> Chain:
         """Plays one after another; look-ups come before the play that needs them."""

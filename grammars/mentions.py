@@ -10,7 +10,7 @@ SELF_OWN: Final = {"my": "me", "your": "you"}
 OWNING: Final = {"his": "he", "her": "she", "its": "it", "their": "they", "our": "we"}
 PERSONAL: Final = frozenset("him her he she".split())
 OF_WOMEN: Final = frozenset(("she", "her"))
-PERSON_WORDS: Final = frozenset("someone somebody anyone anybody nobody".split()) | {
+PERSON_WORDS: Final = frozenset("someone somebody anyone anybody nobody whoever".split()) | {
     "someone else",
     "no one",
 }

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from grammars.alist import AList
 from grammars.build import Build
+from grammars.clauses import enablement, exception
 from grammars.hedges import preference
 from grammars.registry import sentence_form
 from kernel.action.chain import Directive
@@ -14,6 +15,7 @@ EXAMPLES = (
     "after you release something back up",
     "after turning left raise the lift",
     "say all done after you dance",
+    "after you drop something, say oops unless nobody is near",
     "After you grab Mary's cup, say thank you then drive backwards.",
 )
 
@@ -24,8 +26,13 @@ def after(alist: AList) -> Teach:
     build = Build()
     with build.drawing(pattern=True, trigger=True):
         trigger = build.graphlet(build.action(alist.first("action", "gerunding", "did_it")))
+    enabled = enablement(build, alist)
     chain = build.chain(alist.first("chain"))
     operator = Operator(
-        Directive("POST", trigger), chain, preference=preference(alist.slot("pref"))
+        Directive("POST", trigger),
+        chain,
+        enablement=enabled,
+        unless=exception(build, alist),
+        preference=preference(alist.slot("pref")),
     )
     return Teach("after", operator)

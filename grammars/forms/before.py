@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from grammars.alist import AList
 from grammars.build import Build
+from grammars.clauses import enablement, exception
 from grammars.hedges import preference
 from grammars.registry import sentence_form
 from kernel.action.chain import Directive
@@ -14,6 +15,8 @@ EXAMPLES = (
     "before you grab something open the gripper",
     "before driving forward say beep beep",
     "always say excuse me before you turn around",
+    "before you turn around, lower the lift if you are holding something",
+    "before you turn left say left unless nobody is near",
 )
 
 
@@ -23,8 +26,13 @@ def before(alist: AList) -> Teach:
     build = Build()
     with build.drawing(pattern=True, trigger=True):
         trigger = build.graphlet(build.action(alist.first("action", "gerunding")))
+    enabled = enablement(build, alist)
     chain = build.chain(alist.first("chain"))
     operator = Operator(
-        Directive("ANTE", trigger), chain, preference=preference(alist.slot("pref"))
+        Directive("ANTE", trigger),
+        chain,
+        enablement=enabled,
+        unless=exception(build, alist),
+        preference=preference(alist.slot("pref")),
     )
     return Teach("before", operator)

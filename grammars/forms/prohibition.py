@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from grammars.alist import AList
-from grammars.build import Build
+from grammars.build import Build, NoMeaningError
 from grammars.clauses import enablement, exception
 from grammars.registry import sentence_form
 from kernel.action.chain import Chain, Directive, Play
@@ -15,6 +15,9 @@ EXAMPLES = (
     "You should never grab a person but instead say I'm not allowed to.",
     "don't ever lift a cat",
     "no shouting",
+    "the vase must never be touched",
+    "nothing on my desk is to be touched",
+    "touching people is forbidden",
     "don't raise the lift if something is close",
     "if something is close, don't raise the lift",
     "Do not turn while you are holding something.",
@@ -26,10 +29,12 @@ EXAMPLES = (
 def prohibition(alist: AList) -> Teach:
     """A veto on an action, with what to do instead, when it holds and when it does not."""
     build = Build()
-    first = next(part.name for part in alist if part.name in ("action", "gerunding", "conds"))
+    first = next(part.name for part in alist if part.name in ("action", "gerunding", "np", "conds"))
     before = enablement(build, alist) if first == "conds" else ()
     with build.drawing(pattern=True, trigger=True):
-        trigger = build.graphlet(build.action(alist.first("action", "gerunding")))
+        trigger = build.graphlet(build.action(_done(alist)))
+        if alist.has("none_to") and not build.negative:
+            raise NoMeaningError("what must be done")
     after = enablement(build, alist) if first != "conds" else ()
     instead = alist.find("chain")
     plays = () if instead is None else build.chain(instead).plays
@@ -40,3 +45,12 @@ def prohibition(alist: AList) -> Teach:
         unless=exception(build, alist),
     )
     return Teach("prohibition", operator)
+
+
+def _done(alist: AList) -> AList:
+    """The deed; of "the vase must not be touched" too."""
+    if (verb := alist.find("done_to", "none_to")) is None:
+        return alist.first("action", "gerunding")
+    if alist.first("np").has("pron"):
+        raise NoMeaningError("it can not be helped")
+    return AList("action", (AList("act", value=verb.value), alist.first("np")))
