@@ -9,7 +9,7 @@ from typing import Final
 from grammars.alist import AList
 from grammars.chains import bare_chain, count, plays
 from grammars.clauses import stated
-from grammars.mentions import DEGREES, OWNING, SELF_OWN
+from grammars.mentions import DEGREES, OWNING, SELF_OWN, is_person
 from grammars.things import NoMeaningError, Things
 from grammars.vocabulary import BORN, lines
 from kernel.action.chain import Chain, Directive, Play
@@ -139,7 +139,7 @@ class Build(Things):
             if not quote.value:
                 raise NoMeaningError(str(speech))
             links["obj"] = self.add("txt", literal=quote.value)
-        elif speech.first("listener").has("pron"):
+        elif not is_person(speech.first("listener")):
             raise NoMeaningError(str(speech))
         hearer = speech.find("hearer", "listener")
         if hearer is not None and hearer.parts:

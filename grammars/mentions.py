@@ -5,6 +5,9 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Final
 
+from grammars.alist import AList
+from grammars.vocabulary import BORN
+
 SELF: Final = {"you": "you", "yourself": "you", "me": "me", "i": "me", "mine": "me", "yours": "you"}
 SELF_OWN: Final = {"my": "me", "your": "you"}
 OWNING: Final = {"his": "he", "her": "she", "its": "it", "their": "they", "our": "we"}
@@ -77,3 +80,10 @@ class Thing:
             return not self.person and not self.called
         wrong = _MALE if pronoun in OF_WOMEN else _FEMALE
         return self.person and not {self.kind, self.called} & wrong
+
+
+def is_person(np: AList) -> bool:
+    """The noun phrase names a person, or tells of one."""
+    kind = np.slot("ako") or np.slot("akos")
+    of_persons = np.slot("pron") in PERSONAL | {"them"} or np.slot("vague") in PERSON_WORDS
+    return np.has("name") or of_persons or "PERSON" in BORN.readings(kind)

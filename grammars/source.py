@@ -11,7 +11,7 @@ from grammars.vocabulary import set_phrases
 
 CATEGORIES: Final = (
     "VERB VERBS VERBING VERBED GIVE MOTION STATE STATES NOUN NOUNS ADJ ADJER ADJEST ADV DEG DIR PROPER PLACE NUM UNIT"
-    " PREP ORD QUOTED ANYWORD NAMELIKE NEWING OPENWORD STRANGE UNK _COMMA"
+    " PERSON PREP ORD QUOTED ANYWORD NAMELIKE NEWING OPENWORD STRANGE UNK _COMMA"
 ).split()
 # What it costs to take a word as something else than it is known to be; a set phrase is a little better than its words.
 TERMINAL_COST: Final[dict[str, int]] = {

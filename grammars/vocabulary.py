@@ -90,7 +90,12 @@ def _born() -> Lexicon:
             _add(lexicon, phrase, category, phrase)
             for word in phrase.split():
                 lexicon.setdefault(word, {})
-    for files_of, add in (("verbs", _verb), ("states", _state), ("nouns", _noun)):
+    for files_of, add in (
+        ("verbs", _verb),
+        ("states", _state),
+        ("nouns", _noun),
+        ("persons", _noun),
+    ):
         for word, _ in _entries(files_of):
             add(lexicon, word)
     for word, _ in _entries("adjectives"):
@@ -104,6 +109,7 @@ def _born() -> Lexicon:
         ("PROPER", "names"),
         ("PROPER", "places"),
         ("PLACE", "places"),
+        ("PERSON", "persons"),
         ("ORD", "ordinals"),
         ("GIVE", "givers"),
         ("MOTION", "motions"),

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from grammars.alist import AList
-from grammars.build import Build
+from grammars.build import Build, NoMeaningError
 from grammars.chains import bare_chain
 from grammars.registry import sentence_form
 from kernel.memory.meaning import Command
@@ -41,7 +41,15 @@ EXAMPLES = (
 
 @sentence_form("command", "command", EXAMPLES)
 def command(alist: AList) -> Command:
-    """A chain to be run at once."""
+    """A chain to be run at once. "Ask your doctor" is said to persons; a lesson may have such a step."""
+    if any(part.name == "speech" and _is_advice(part) for part in alist.walk()):
+        raise NoMeaningError("advice for a person")
     build = Build()
     bare = alist.find("bare")
     return Command(build.chain(alist.first("chain") if bare is None else bare_chain(bare)))
+
+
+def _is_advice(speech: AList) -> bool:
+    """Nothing is to be asked, and of nobody by name."""
+    listener = speech.find("listener")
+    return not speech.has("quote") and listener is not None and not listener.has("name")

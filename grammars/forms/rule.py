@@ -42,6 +42,8 @@ def rule(alist: AList) -> Teach:
         then = build.graphlet(main)
     if any(term.ref in ("he", "she", "they") for term in condition_) or _is_name(said):
         raise NoMeaningError("somebody in particular")
+    if generic is not None and _same_said(condition_, then):
+        raise NoMeaningError("what is done is done")
     described = condition_.names
     if {n for n in then.mentioned if n.startswith("obj")}.isdisjoint(condition_.mentioned):
         raise NoMeaningError("the conclusion is about something else")
@@ -50,6 +52,10 @@ def rule(alist: AList) -> Teach:
     hedge = next(filter(None, hedges), said.slot("may") and "may")
     rule_ = Rule(condition_, then, exception(build, alist), belief(hedge))
     return Teach("rule", rule_)
+
+
+def _same_said(one: Graphlet, other: Graphlet) -> bool:
+    return {(t.kind, t.lex) for t in one} >= {(t.kind, t.lex) for t in other}
 
 
 def _is_name(said: AList) -> bool:

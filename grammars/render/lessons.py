@@ -29,8 +29,12 @@ def operator(content: Operator, voice: Voice) -> str:
     """The sentence that teaches an operator."""
     graphlets = list(content.chain.graphlets())
     trigger = content.trigger.graphlet
-    described = (*((trigger,) if trigger else ()), *graphlets)
-    telling = Telling(described, (*content.enablement, *content.unless), voice)
+    tellings = [
+        g for g in content.unless if g.head and linked(g.head, "cmd") == _main(content) != ""
+    ]
+    described = (*((trigger,) if trigger else ()), *tellings, *graphlets)
+    claims = [g for g in content.unless if g not in tellings]
+    telling = Telling(described, (*content.enablement, *claims), voice)
     match content.trigger.tag:
         case "DO":
             return _procedure(telling, content, _goal(telling, content))
