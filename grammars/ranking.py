@@ -20,6 +20,8 @@ MOST_READINGS: Final = 6
 BUILDERS: Final = frozenset(
     "before after instead means unless until when whenever if then while than because".split()
 )
+# Nobody's quote ends with one of these: the sentence was cut off, or what follows is no new action but the rest of it.
+DANGLING: Final = frozenset("the a an my your and or of if".split())
 
 Leaf = tuple[str, Token]
 Ranked = list[tuple[int, tuple[Any, ...]]]
@@ -141,5 +143,7 @@ def _quote(tree: Tree, text: str) -> str:
         return pieces[0].text
     words = [piece.text for piece in pieces]
     if (words[0] in BUILDERS and len(words) > 2) or sum(word in BUILDERS for word in words) > 1:
+        return ""
+    if len(words) > 1 and words[-1] in DANGLING:
         return ""
     return re.sub(r"\s+", " ", text[pieces[0].begin : pieces[-1].end]).strip()

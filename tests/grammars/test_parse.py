@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import json
+import random
+import time
 from importlib.resources import files
 
 import pytest
@@ -13,7 +15,9 @@ from grammars.errors import NotUnderstoodError
 from grammars.parse import COMPILED, closed_words, compile_grammar, parse, productions
 from grammars.reading import Parsed
 from grammars.vocabulary import BORN
+from tests.grammars.salad import ENDLESS, SORTS
 
+MOST_MS = 200
 WORDS = sorted({*BORN.everything, *closed_words()})
 
 
@@ -151,3 +155,21 @@ def test_productions_are_closed() -> None:
     assert undefined == {"_COMMA"}
     terminals = used - origins
     assert all(s.startswith('"') or s == "_COMMA" or s.isupper() for s in terminals)
+
+
+@pytest.mark.parametrize("sort", sorted(SORTS))
+def test_nonsense_never_breaks_it_and_takes_no_time(sort: str) -> None:
+    chance = random.Random(sort)
+    for _ in range(100):
+        assert cost_ms(SORTS[sort](chance)) < MOST_MS
+
+
+@pytest.mark.parametrize("text", ENDLESS.values(), ids=ENDLESS.keys())
+def test_what_never_ends_takes_no_time(text: str) -> None:
+    assert cost_ms(text) < MOST_MS
+
+
+def cost_ms(text: str) -> float:
+    began_s = time.thread_time()
+    read(text)
+    return (time.thread_time() - began_s) * 1e3
