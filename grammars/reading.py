@@ -162,6 +162,8 @@ class Reader:
 
 def _built(sentence: AList) -> tuple[str, Meaning] | None:
     """Kind and meaning of a reading; None where the net has no room for it."""
+    if any(part.name == "quote" and not part.value for part in sentence.walk()):
+        return None
     forms = discover()
     body = next(part for part in sentence if part.name in forms)
     form = forms[body.name]
