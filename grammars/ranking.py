@@ -24,6 +24,7 @@ BUILDERS: Final = frozenset(
 DANGLING: Final = frozenset("the a an my your and or of if".split())
 
 Leaf = tuple[str, Token]
+Charge = tuple[int, str]  # what it cost, and what for: a rule, or a word taken for something
 Ranked = list[tuple[int, tuple[Any, ...]]]
 
 
@@ -52,6 +53,16 @@ class Tree:
         for child in self.children:
             if isinstance(child, Tree):
                 yield from child.quotes()
+
+    def charges(self, cost: Mapping[int, int]) -> Iterator[Charge]:
+        """What makes this derivation dear or cheap; their sum is its rank."""
+        if own := cost[id(self.rule)]:
+            yield own, str(self.rule.alias or self.rule.origin.name)
+        for child in self.children:
+            if isinstance(child, Tree):
+                yield from child.charges(cost)
+            elif own := terminal_cost(child[0]):
+                yield own, f"{child[1].piece.text} as {child[0]}"
 
     def guessed(self) -> tuple[str, ...]:
         """Unknown words used other than in quotes."""

@@ -13,7 +13,7 @@ from grammars.build import NoMeaningError
 from grammars.lattice import Lexer, Token, variants
 from grammars.nearest import near_words
 from grammars.normalise import Piece
-from grammars.ranking import Ranking, Tree, to_alist
+from grammars.ranking import Charge, Ranking, Tree, to_alist
 from grammars.registry import discover
 from kernel.memory.meaning import Meaning
 
@@ -43,6 +43,7 @@ class Parsed:
         repaired: (as typed, as taken) for each typo.
         alternatives: number of readings found.
         others: association lists of the other readings, best first.
+        charges: of this reading and of the others: what each rule and word cost, which is what ranked them.
         taught: the word which the sentence, an answer, tells to be something to do.
     """
 
@@ -55,6 +56,7 @@ class Parsed:
     alternatives: int = 1
     others: tuple[AList, ...] = ()
     taught: str = ""
+    charges: tuple[tuple[Charge, ...], ...] = ()
 
 
 @dataclass
@@ -111,14 +113,25 @@ class Reader:
             self.reached = max(self.reached, error.at)
             return
         made = [
-            (alist, tree.guessed(), *meant)
+            (alist, tree, *meant)
             for tree in Ranking(self.cost, {}).best(forest)
             if not self.swallows(tree)
             if (meant := _built(alist := to_alist(tree, self.text))) is not None
         ]
-        for alist, unknown, kind, meaning in made[:1]:
+        for alist, tree, kind, meaning in made[:1]:
             others = tuple(other for other, *_ in made[1:])
-            yield Parsed(self.text, kind, meaning, alist, unknown, repaired, len(made), others)
+            charges = tuple(tuple(tree.charges(self.cost)) for _, tree, *_ in made)
+            yield Parsed(
+                self.text,
+                kind,
+                meaning,
+                alist,
+                tree.guessed(),
+                repaired,
+                len(made),
+                others,
+                charges=charges,
+            )
 
     def swallows(self, tree: Tree) -> bool:
         """A quote without quotation marks runs on over a condition: "say hi unless Mary is near" says no such thing."""

@@ -109,17 +109,24 @@ def status(config_file: Path | None, as_json: bool) -> None:
 @cli.command()
 @click.argument("text", required=False)
 @click.option("--json", "as_json", is_flag=True, help="Print JSON objects, one a line.")
-def parse(text: str | None, as_json: bool) -> None:
+@click.option("--explain", is_flag=True, help="Print the readings, their ranks and what decided.")
+def parse(text: str | None, as_json: bool, explain: bool) -> None:
     """What TEXT means; nothing is executed. With - or nothing: one sentence a line from standard input."""
-    from daemon.control.describing import as_json_line, as_text, described
+    from daemon.control.describing import as_json_line, as_text, described, explained
 
+    if explain and as_json:
+        raise click.UsageError("--explain is for people, --json for programs: one of the two")
     if text not in (None, "-"):
         answer = described(common.clean(text or ""))
         click.echo(as_json_line(answer) if as_json else as_text(answer))
+        for line in explained(answer["text"]) if explain else ():
+            click.echo(line)
         sys.exit(common.EXIT_NOT_UNDERSTOOD if answer["kind"] == "not_understood" else 0)
     for sentence in common.sentences():
         answer = described(sentence)
         click.echo(as_json_line(answer) if as_json else as_text(answer))
+        for line in explained(sentence) if explain else ():
+            click.echo(line)
 
 
 @cli.command()

@@ -8,6 +8,7 @@ from typing import Any, Final
 
 from grammars.describe import describe
 from grammars.errors import NotUnderstoodError
+from grammars.explain import explain
 from grammars.parse import grammar, parse
 from grammars.render import render
 from grammars.replies import say
@@ -54,6 +55,14 @@ def _described(text: str, vocabulary: Vocabulary) -> dict[str, Any]:
     except Exception as error:  # a list of sentences goes on after one that breaks the parser
         reason = f"internal error ({type(error).__name__}: {error})"
         return {"text": text, **NOTHING, "reason": reason}
+
+
+def explained(text: str, vocabulary: Vocabulary = BORN) -> list[str]:
+    """Lines on the readings of a sentence and their ranks; none where it has no reading."""
+    try:
+        return list(explain(parse(text, vocabulary)))
+    except NotUnderstoodError:
+        return []
 
 
 def as_json_line(answer: dict[str, Any]) -> str:

@@ -113,6 +113,17 @@ def test_parse_for_a_person() -> None:
     assert call("parse", "then the if of slowly block the").exit_code == 3
 
 
+def test_parse_explains_its_choice() -> None:
+    lines = call("parse", "--explain", "say hello then turn left").output.splitlines()
+    assert "1. cost" in " ".join(lines)
+    assert any(line.startswith("2. cost") for line in lines)
+    assert any("act=turn" in line for line in lines)
+    assert lines[-1].startswith("The first wins: it costs")
+    alone = call("parse", "--explain", "drive forward").output
+    assert "no other reading means anything" in alone
+    assert call("parse", "--explain", "--json", "drive forward").exit_code == 2
+
+
 def test_parse_answers_every_line_whatever_it_is() -> None:
     lines = [
         b"drive forward",
