@@ -74,4 +74,6 @@ def _things(build: Build, things: list[AList]) -> tuple[Graphlet | None, Chain]:
             replaced = build.graphlet(build.thing(things[0]))
     with build.drawing(pattern=False):
         build.thing(things[-1])
+    if not build.finds:
+        raise NoMeaningError("another thing that is the same")
     return replaced, Chain(tuple(Play((Directive("FIND", find),)) for find in build.finds))

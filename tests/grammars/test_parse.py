@@ -14,11 +14,18 @@ from hypothesis import strategies as st
 from grammars.errors import NotUnderstoodError
 from grammars.parse import COMPILED, closed_words, compile_grammar, parse, productions
 from grammars.reading import Parsed
+from grammars.render import render
 from grammars.vocabulary import BORN
 from tests.grammars.salad import ENDLESS, SORTS
 
 MOST_MS = 200
 WORDS = sorted({*BORN.everything, *closed_words()})
+
+
+@pytest.mark.parametrize("text", ["not the one the one", "not the red one the one"])
+def test_another_thing_of_the_same_words_can_be_read_back(text: str) -> None:
+    parsed = read(text)
+    assert parsed is None or render(parsed.meaning, "teacher")
 
 
 def read(text: str) -> Parsed | None:
