@@ -181,7 +181,7 @@ class Build(Things):
         if (done := inquiry.find("what_done")) is not None:
             wanted = self.add("obj")
             self.add("ako", done.slot("attribute"), ako=wanted)
-            self.add("act", done.slot("state"), agt=self.thing(done.first("np")), obj=wanted)
+            self.add("act", done.slot("does"), agt=self.thing(done.first("np")), obj=wanted)
             return Directive("FIND", self.graphlet(wanted))
         for name, kind in WONDERS.items():
             if (asked := inquiry.find(name)) is not None:

@@ -117,6 +117,8 @@ def _doing(build: Build, part: AList, agent: str, objects: list[AList], negated:
     elif going is not None and not part.has("does"):
         body, objects = going, going.all("np")
     verb = next((body.slot(s) for s in VERB_SLOTS if body.has(s)), body.value or "")
+    if verb == "have" and not objects:
+        raise NoMeaningError(str(part))
     links: dict[str, str] = {"agt": agent}
     if objects:
         links["obj"] = build.thing(objects[0])

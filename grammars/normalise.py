@@ -43,6 +43,7 @@ WHOLE: Final = {
     "wheres": "where is",
     "whos": "who is",
     "thats": "that is",
+    "theres": "there is",
     "gonna": "going to",
     "wanna": "want to",
     "ok": "okay",

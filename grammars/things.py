@@ -264,6 +264,8 @@ class Things:
             other = self.aside(compared.first("np"))
             return self.add("hq", word, hq=name, than=other, negated=negated)
         if (called := pred.find("isname")) is not None:
+            if self.sketch.terms[name].lex & {"you", "me"}:  # "if you are idle"
+                return self.add("hq", called.slot("name"), hq=name, negated=negated)
             self.sketch.change(name, lex=frozenset((called.slot("name"),)))
             return self.put(name)
         if pred.has("here"):
@@ -281,6 +283,8 @@ class Things:
         if not kind:
             raise NoMeaningError(str(kindof))
         node = self.kind(name, kind, kindof.slot("sub"), negated)
+        if (loc := kindof.find("loc")) is not None:
+            self.place("loc", name, loc)
         if (of := kindof.find("np")) is not None:
             self.add("own", own=name, of=self.thing(of, person=True))
         self.possessed(name, kindof)

@@ -54,8 +54,8 @@ def pronoun(telling: Telling, person: str, case: Case) -> str:
 
 
 def possessive(phrase: str) -> str:
-    """Whose: Mary's; the girls'."""
-    return phrase + ("'" if phrase.endswith("s") and not phrase.istitle() else "'s")
+    """Whose: Mary's; the boss's."""
+    return f"{phrase}'s"
 
 
 def proper(name: str) -> str:
