@@ -1,0 +1,87 @@
+"""docs/forms.md is true: the form it adds, added to a copy, is understood, read back and listened for."""
+
+from __future__ import annotations
+
+import json
+import os
+import re
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+from grammars.errors import NotUnderstoodError
+from grammars.finite_state import automaton
+from grammars.parse import parse
+
+ROOT = Path(__file__).parents[2]
+LARK, BUILDER, HEARD = re.findall(
+    r"```(?:lark|python)\n(.*?)```", (ROOT / "docs/forms.md").read_text("utf8"), re.DOTALL
+)
+SAID = "i dare you to turn left"
+
+pytestmark = pytest.mark.timeout(120)  # the fixture compiles a grammar
+
+
+@pytest.fixture(scope="module")
+def copy(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """Sayso with the form added, its grammar compiled."""
+    folder = tmp_path_factory.mktemp("copy")
+    for part in ("grammars", "scripts"):
+        shutil.copytree(ROOT / part, folder / part, ignore=shutil.ignore_patterns("__pycache__"))
+    (folder / "grammars/forms/dare.lark").write_text(LARK, encoding="utf8")
+    (folder / "grammars/forms/dare.py").write_text(BUILDER, encoding="utf8")
+    heard = folder / "grammars/heard.lark"
+    named = re.sub(r"^_form:", "_form: dare |", heard.read_text("utf8"), flags=re.MULTILINE)
+    heard.write_text(named + HEARD, encoding="utf8")
+    python(folder, str(folder / "scripts/compile_grammar.py"))
+    return folder
+
+
+def python(folder: Path, *arguments: str) -> str:
+    """What Python printed, with the copy before the checkout."""
+    result = subprocess.run(
+        [sys.executable, *arguments],
+        env={**os.environ, "PYTHONPATH": os.pathsep.join((str(folder), str(ROOT)))},
+        cwd=folder,
+        capture_output=True,
+        text=True,
+        timeout=100,
+    )
+    assert result.returncode == 0, result.stdout + result.stderr
+    return result.stdout
+
+
+def test_without_the_form_it_means_nothing() -> None:
+    with pytest.raises(NotUnderstoodError):
+        parse(SAID)
+    assert not automaton().accepts(SAID.split())
+
+
+def test_the_command_line_understands_the_examples_and_reads_them_back(copy: Path) -> None:
+    cli = "from daemon.control.cli import main; main()"
+    for text, meant in (
+        (SAID, "turn left"),
+        (
+            "I double dare you to grab the block then drive backwards!",
+            "grab the block then drive backward",
+        ),
+    ):
+        answer = json.loads(python(copy, "-c", cli, "parse", "--json", text))
+        assert (answer["kind"], answer["readback"]) == ("command", meant)
+
+
+def test_the_form_is_in_the_compiled_grammar(copy: Path) -> None:
+    kept = json.loads((copy / "grammars/grammar.json").read_text("utf8"))
+    assert "dare" in {rule[0] for rule in kept["rules"]}
+    assert "dare" in kept["literal"]
+
+
+def test_the_ears_listen_for_it(copy: Path) -> None:
+    listening = (
+        "import sys; from grammars.finite_state import automaton;"
+        "print(automaton().accepts(sys.argv[1].split()))"
+    )
+    assert python(copy, "-c", listening, SAID).strip() == "True"
