@@ -9,7 +9,7 @@ from typing import Final
 from grammars.alist import AList
 from grammars.chains import bare_chain, count, plays
 from grammars.clauses import stated
-from grammars.mentions import DEGREES, OWNING, SELF_OWN, is_person
+from grammars.mentions import DEGREES, OWNING, SELF_OWN, Thing, is_person
 from grammars.things import NoMeaningError, Things
 from grammars.vocabulary import BORN, lines
 from kernel.action.chain import Chain, Directive, Play
@@ -18,6 +18,7 @@ from kernel.net.graphlet import Graphlet
 __all__ = ["Build", "NoMeaningError", "particles"]
 
 WONDERS: Final = {"what_like": "hq", "what_kind": "ako", "whereabout": "loc"}
+CONJUNCTIONS: Final = ("or", "but", "because")  # "don't tell him that or he will cry"
 SIZES: Final = {
     "all the way": "fully",
     "completely": "fully",
@@ -136,9 +137,10 @@ class Build(Things):
         verb = next(part.name for part in speech if part.name in ("say", "tell", "ask"))
         links: dict[str, str] = {}
         if (quote := speech.find("quote")) is not None:
-            if not quote.value:
+            words = (quote.value or "").lower().removeprefix("that ").split()
+            if not words or words[0] in CONJUNCTIONS:
                 raise NoMeaningError(str(speech))
-            links["obj"] = self.add("txt", literal=quote.value)
+            links["obj"] = self.add("txt", literal=quote.value or "")
         elif not is_person(speech.first("listener")):
             raise NoMeaningError(str(speech))
         hearer = speech.find("hearer", "listener")
@@ -181,7 +183,8 @@ class Build(Things):
         if (done := inquiry.find("what_done")) is not None:
             wanted = self.add("obj")
             self.add("ako", done.slot("attribute"), ako=wanted)
-            self.add("act", done.slot("does"), agt=self.thing(done.first("np")), obj=wanted)
+            self.add("act", done.slot("does"), agt=self.aside(done.first("np")), obj=wanted)
+            self.things.append(Thing(wanted, done.slot("attribute")))
             return Directive("FIND", self.graphlet(wanted))
         for name, kind in WONDERS.items():
             if (asked := inquiry.find(name)) is not None:

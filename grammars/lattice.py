@@ -17,7 +17,12 @@ from grammars.vocabulary import OPEN, Vocabulary
 ADDRESS: Final = frozenset(
     "hey okay robot now please well so alright listen kindly for me then thanks could can would will you".split()
 )
-# Words after a name that tell of what kind somebody is.
+# Words after a name: whose something is, what persons do to the robot, of what kind somebody is.
+OWN: Final = ("his", "her", "their")
+ORDERING: Final = [[verb] for verb in "told asked taught ordered tells asks orders".split()]
+MAY_ORDER: Final = [
+    [may, more] for may in ("may", "can") for more in ("tell", "ask", "order", "boss")
+]
 CALLING: Final = ("called", "named")
 NAMING: Final = [[verb, article] for verb in ("is", "'s") for article in ("a", "an")]
 
@@ -63,7 +68,7 @@ class Lexer:
         """The lattice; guessing lets the position of a strange word decide what it is."""
         tokens = [self._token(at, piece, guessing) for at, piece in enumerate(found)]
         for at, token in enumerate(tokens):
-            if _may_be_name(token, found[at - 1] if at else None, found[at + 1 : at + 3]):
+            if _may_be_name(token, found[at - 1] if at else None, found[at + 1 : at + 5]):
                 tokens[at] = replace(
                     token, readings={**token.readings, "NAMELIKE": token.piece.text}
                 )
@@ -115,9 +120,13 @@ def _strange(piece: Piece, guessing: bool) -> dict[str, str]:
 
 def _may_be_name(token: Token, before: Piece | None, after: Sequence[Piece]) -> bool:
     """A word that stands where a name does: written as one, told as one ("called Spot"), or a quality that is said to
-    be of some kind ("Fluffy is a kitten")."""
+    be of some kind ("Fluffy is a kitten"); an unknown word before what persons do to the robot."""
+    words = [piece.text for piece in after]
+    if before is None and "STRANGE" in token.readings:
+        ordering = (words[:1] in ORDERING and words[1:2] == ["you"]) or words[:2] in MAY_ORDER
+        return ordering or (words[2:3] == ["than"] and words[-1] in OWN)
     if before is None:
-        return "ADJ" in token.readings and [piece.text for piece in after] in NAMING
+        return "ADJ" in token.readings and words[:2] in NAMING
     told = token.piece.capital or before.text in CALLING
     return told and not token.readings.keys().isdisjoint(("ADJ", "NOUN"))
 

@@ -38,7 +38,7 @@ def alias(alist: AList) -> Teach:
     old = alist.find("old_word", "old_ing_word")
     if new is None or old is None:
         raise NoMeaningError(str(alist))
-    said, meant = new.value or "", old.value or ""
+    said, meant = (new.value or "").lower(), (old.value or "").lower()
     if _lemma(said) == _lemma(meant):
         raise NoMeaningError("a word that means itself")
     node = f"{_node(said, meant)}-1"

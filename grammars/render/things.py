@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Final, Literal
 
-from grammars.morphology import article, comparative, gerund, plural, superlative
+from grammars.morphology import article, comparative, gerund, plural, superlative, third_person
 from grammars.render.telling import Telling, linked, word
 from kernel.memory.recall import PERSONS
 from kernel.net.graphlet import Term
@@ -124,18 +124,20 @@ def description(telling: Telling, name: str, noun: str) -> tuple[str, str, str]:
     for term in telling.take(name, "ako"):
         after.append(f"that is not {with_kind(telling, term)}")
     for term in _doings(telling, name):
-        who = pronoun(telling, "you", "subject")
-        after.append(f"{who} {'am' if who == 'I' else 'are'} {gerund(word(term))}")
+        agent = linked(term, "agt")
+        who = thing(telling, agent, "subject")
+        does = {"I": f"am {gerund(word(term))}", "you": f"are {gerund(word(term))}"}
+        after.append(f"{who} {does.get(who) or third_person(word(term))}")
     nouns = [kind(telling, term) for term in kinds] or [noun]
     return " ".join(plain), nouns[0], " ".join([*(f"that is a {n}" for n in nouns[1:]), *after])
 
 
 def _doings(telling: Telling, name: str) -> list[Term]:
-    """What the robot does to the thing, where that says which one is meant: "the block you are holding"."""
+    """What somebody does to the thing, where that says which one: "the block you are holding", "the cup Mary has"."""
     found = [
         term
         for term in telling.about(name, "obj")
-        if telling.term(linked(term, "agt")).lex == {"you"} and not telling.is_main(term.name)
+        if telling.term(linked(term, "agt")).lex and not telling.is_main(term.name)
     ]
     telling.hold_back(found)
     return found
