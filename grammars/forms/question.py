@@ -3,14 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import replace
 from typing import Final
 
 from grammars.alist import AList
 from grammars.build import Build, NoMeaningError
-from grammars.clauses import clause, condition
+from grammars.clauses import clause
 from grammars.registry import sentence_form
-from kernel.memory.meaning import Ask, Question
-from kernel.net.graphlet import Graphlet
+from grammars.topics import DEEDS, TOPICS, does_so, of_topic, on_occasion
+from kernel.memory.meaning import Question
 
 EXAMPLES = (
     "what is in front of you",
@@ -44,27 +45,6 @@ EXAMPLES = (
     "what would you do if I said grab each blue block",
     "show me what you would do if something is very close",
 )
-# Bracket to question word and topic, for questions about the robot's own doings and lessons.
-TOPICS: Final[dict[str, tuple[Ask, str]]] = {
-    "why": ("why", "did"),
-    "busy": ("what", "doing"),
-    "did_what": ("what", "did"),
-    "know_about": ("what", "know_about"),
-    "know_how": ("yesno", "know_how"),
-    "how": ("how", "know_how"),
-    "taught": ("who", "taught"),
-    "told": ("who", "taught"),
-    "happens": ("what", "happens"),
-    "means": ("how", "means"),
-    "what_before": ("what", "before"),
-    "what_after": ("what", "after"),
-    "abilities": ("what", "abilities"),
-    "whoami": ("who", "identity"),
-    "allowed": ("yesno", "allowed"),
-    "when_learned": ("when", "taught"),
-    "when_did": ("when", "did"),
-    "would": ("what", "would"),
-}
 
 
 @sentence_form("question", "question", EXAMPLES)
@@ -73,40 +53,10 @@ def question(alist: AList) -> Question:
     body = alist.parts[0]
     build = Build()
     with build.drawing(pattern=True):
-        if body.name in TOPICS:
-            ask, topic = TOPICS[body.name]
-            if body.name == "why" and body.has("pred"):
-                topic = "taught"  # what is so has no doer, but a source
-            chain = body.find("chain")
-            supposed = build.chain(chain) if chain is not None else None
-            return Question(ask, _about(build, body), "", topic, supposed)
-        return SO[body.name](build, body)
-
-
-def _about(build: Build, body: AList) -> Graphlet:
-    """The act, clause or thing that a question about the robot itself is about; "that" where none is named."""
-    if (conds := body.find("conds")) is not None:
-        return condition(build, conds)
-    if (said := body.find("clause")) is not None:
-        return build.graphlet(clause(build, said))
-    if (action := body.find("action", "gerunding")) is not None:
-        act = build.action(action)
-        if any(part.name == "neg" for part in body):
-            build.sketch.change(act, negated=True)
-        return build.graphlet(act)
-    if (pred := body.find("pred")) is not None:
-        return build.graphlet(build.predicate(build.thing(body.first("np")), pred, negated=False))
-    if (np := body.find("np")) is not None:
-        return build.graphlet(build.thing(np))
-    if (word := body.slot("quote_word")) or (word := body.slot("quote")):
-        return build.graphlet(build.add("act", word.lower()))
-    if body.name == "whoami":
-        return build.graphlet(build.oneself("me"))
-    if body.name in ("busy", "did_what", "abilities", "would"):
-        return build.graphlet(build.add("act", agt=build.oneself("you")))
-    words = (body.value or "").split() if body.name == "why" else ["that"]
-    bare = "" if words in (["why"], ["why", "not"]) else "that"  # of whatever was said or done last
-    return build.graphlet(build.add("act", ref=bare, negated="not" in words))
+        asked = of_topic(build, body) if body.name in TOPICS else SO[body.name](build, body)
+        if (occasion := alist.find("occasion")) is not None:
+            return replace(asked, about=on_occasion(build, asked.about, occasion))
+        return asked
 
 
 def _what(build: Build, body: AList) -> Question:
@@ -118,10 +68,10 @@ def _what(build: Build, body: AList) -> Question:
         wanted = build.add("obj")
         return Question("what", build.graphlet(build.quality(wanted, qual)), wanted)
     things = body.all("np")
-    if body.has("state_verb"):
+    if (doing := body.find("state_verb", "gerund")) is not None:
         agent = build.thing(things[0]) if things else build.oneself("you")
         wanted = build.add("obj")
-        verb = body.slot("state_verb") or "have"
+        verb = doing.value or "have"
         return Question(
             "what", build.graphlet(build.add("act", verb, agt=agent, obj=wanted)), wanted
         )
@@ -171,6 +121,11 @@ def _who(build: Build, body: AList) -> Question:
     if (pred := body.find("pred")) is not None:
         wanted = build.add("obj")
         return Question("who", build.graphlet(build.predicate(wanted, pred, False)), wanted)
+    if (done := body.find(*DEEDS)) is not None:
+        wanted = build.add("obj")
+        act = build.action(done)
+        build.sketch.link(act, "agt", wanted)
+        return Question("who", build.graphlet(act), wanted)
     if body.has("habit_s") or body.has("going"):
         wanted = build.add("obj")
         return Question("who", build.graphlet(clause(build, body, wanted)), wanted)
@@ -193,6 +148,13 @@ def _whose(build: Build, body: AList) -> Question:
 
 
 def _where(build: Build, body: AList) -> Question:
+    if (action := body.find(*DEEDS)) is not None:
+        act = build.action(action)
+        obj = next((other for role, other in build.sketch.terms[act].links if role == "obj"), "")
+        if not obj:  # "where did you go"
+            return Question("where", build.graphlet(act), "", "did")
+        loc = build.add("loc", loc=obj)
+        return Question("where", build.graphlet(loc), loc)
     loc = build.add("loc", loc=build.thing(body.first("np")))
     return Question("where", build.graphlet(loc), loc)
 
@@ -204,39 +166,53 @@ def _which(build: Build, body: AList) -> Question:
     return Question("which", build.graphlet(main), thing)
 
 
+def _either(build: Build, body: AList) -> Question:
+    """ "Who is taller, John or Mary": whether the first is; asked as which."""
+    one, other = (build.thing(np) for np in body.all("np"))
+    hq = build.add("hq", body.slot("adjer"), hq=one, than=other)
+    return Question("which", build.graphlet(hq), one)
+
+
 def _yesno(build: Build, body: AList) -> Question:
-    if (action := body.find("action")) is not None:
-        subject = body.find("np")
+    if (said := body.find("clause")) is not None:
+        return Question("yesno", build.graphlet(clause(build, said)))
+    subject = body.find("np")
+    if (action := body.find(*DEEDS)) is not None:
         act = build.action(action)
+        own = subject is None or subject.slot("pron") == "you"
         agent = build.oneself("you") if subject is None else build.thing(subject, person=True)
         build.sketch.link(act, "agt", agent)
-        return Question("yesno", build.graphlet(act), "", "did" if subject is None else "")
+        return Question("yesno", build.graphlet(act), "", "did" if own else "")
     if (exists := body.find("exists_q")) is not None:
         thing = build.thing(exists.first("np"))
         if (pred := exists.find("pred")) is not None:
             return Question("yesno", build.graphlet(build.predicate(thing, pred, False)))
         return Question("yesno", build.graphlet(thing))
-    does = body.find("does_q")
-    if body.find("pred") is not None or body.has("going"):
-        you = body.find("np") is None
-        subject_name = build.oneself("you") if you else ""
-        return Question("yesno", build.graphlet(clause(build, body, subject_name)))
+    if body.has("pred") or body.has("going"):
+        return Question("yesno", build.graphlet(clause(build, body)))
+    agent = build.oneself("you") if subject is None else build.thing(subject)
+    if (does := body.find("does_q")) is not None:
+        return Question("yesno", build.graphlet(does_so(build, does, agent)))
+    if (complement := body.find("complement")) is not None:
+        hq = build.quality(agent, complement)
+        build.add("loc", "of", loc=hq, wrt=build.thing(complement.first("np")))
+        return Question("yesno", build.graphlet(hq))
     things = body.all("np")
-    agent = build.thing(things[0]) if things and (does or len(things) > 1) else build.oneself("you")
-    if does is not None:
-        parts = tuple(AList("habit", (does,)) if does.value else does for _ in (0,))
-        habit = AList("habit", parts[0].parts)
-        return Question("yesno", build.graphlet(clause(build, AList("q", (habit,)), agent)))
-    if things and not body.has("name"):
-        owned = build.thing(things[-1])
-        return Question("yesno", build.graphlet(build.add("act", "have", agt=agent, obj=owned)))
-    raise NoMeaningError(str(body))
+    if not things or body.has("name"):
+        raise NoMeaningError(str(body))
+    verb = "see" if body.has("seen") else "have"
+    owned = build.thing(things[-1])
+    owner = agent if len(things) > 1 else build.oneself("you")
+    return Question("yesno", build.graphlet(build.add("act", verb, agt=owner, obj=owned)))
 
 
 def _howmany(build: Build, body: AList) -> Question:
-    if (action := body.find("action")) is not None:
-        return Question("howmany", build.graphlet(build.action(action)), "", "did")
     described = tuple(p for p in body if p.name in ("ako", "akos", "sub", "qual", "one"))
+    if (action := body.find(*DEEDS)) is not None:
+        act = build.action(action)
+        if described:  # "how many blocks did you pick up"
+            build.sketch.link(act, "obj", build.thing(AList("np", described)))
+        return Question("howmany", build.graphlet(act), "", "did")
     thing = build.thing(AList("np", described))
     if (pred := body.find("pred")) is not None:
         main = build.predicate(thing, pred, negated=False)
@@ -259,6 +235,7 @@ SO: Final[dict[str, Callable[[Build, AList], Question]]] = {
     "whose": _whose,
     "where": _where,
     "which": _which,
+    "either": _either,
     "yesno": _yesno,
     "howmany": _howmany,
 }

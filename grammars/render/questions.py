@@ -30,8 +30,12 @@ def question(asked: Question, voice: Voice) -> str:
             return f"what can {you} do"
         case "identity":
             return "who are you" if voice == "robot" else "who am I"
+        case "doing" if asked.ask == "yesno":
+            return f"{be(you)} {you} {deed(telling, main, 'gerund')}"
         case "doing":
             return f"what {be(you)} {you} doing"
+        case "know_about" if asked.ask == "yesno":
+            return f"do {you} know anything about {thing(telling, main)}"
         case "know_about":
             return f"what do {you} know about {thing(telling, main)}"
         case "know_how" if asked.ask == "yesno":
@@ -113,6 +117,9 @@ def _asked(telling: Telling, asked: Question) -> tuple[str, Clause]:
             telling.stated.add(main.name)
             attribute = " ".join(word(kind) for kind in telling.take(main.name, "ako"))
             return f"what {attribute}", _being(thing(telling, linked(main, "hq"), "subject"))
+        case "how" if linked(main, "hq"):
+            telling.stated.update((main.name, wanted))
+            return f"how {word(main)}", _being(thing(telling, linked(main, "hq"), "subject"))
         case "howmany" | "which":
             telling.hold_back([main])
             several = asked.ask == "howmany"

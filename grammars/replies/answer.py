@@ -71,7 +71,7 @@ def _found(asked: Question, found: tuple[Graphlet, ...]) -> str:
             return f"you are {answer}"
         case "doing":
             return f"I am {answer}"
-        case "did" if asked.ask == "what":
+        case "did":
             return f"I {answer}"
     return answer
 
@@ -79,7 +79,7 @@ def _found(asked: Question, found: tuple[Graphlet, ...]) -> str:
 def _told(asked: Question, graphlet: Graphlet) -> str:
     """One thing found, in words: an action, a name, what is so of the thing asked about, or which thing it is."""
     main = Telling((graphlet,)).term(graphlet.main)
-    if _is_act(graphlet) and asked.ask == "what" and asked.topic in ("doing", "did"):
+    if _is_act(graphlet) and asked.topic in ("doing", "did"):
         return act_in_words(graphlet, (), "gerund" if asked.topic == "doing" else "past")
     if asked.ask == "who" and "you" in main.lex:
         return "I am the robot"

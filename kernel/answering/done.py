@@ -24,7 +24,7 @@ def is_doing(asking: Asking) -> Answer:
     return Answer(asking.question, "yes" if going_on else "no")
 
 
-@answers("did", "what", "how")
+@answers("did", "what", "how", "where")
 def did_what(asking: Asking) -> Reply:
     """The newest whole deed that has ended, or why it came to nothing."""
     deed = next((d for d in asking.deeds() if not d.going_on), None)

@@ -1,0 +1,106 @@
+"""What a question about the robot's own doings and lessons is about."""
+
+from __future__ import annotations
+
+from typing import Final
+
+from grammars.alist import AList
+from grammars.build import Build
+from grammars.clauses import clause, condition, told
+from kernel.memory.meaning import Ask, Question
+from kernel.net.graphlet import Graphlet
+
+# Bracket to question word and topic, for questions about the robot's own doings and lessons.
+TOPICS: Final[dict[str, tuple[Ask, str]]] = {
+    "why": ("why", "did"),
+    "busy": ("what", "doing"),
+    "intent": ("yesno", "doing"),
+    "did_what": ("what", "did"),
+    "know_about": ("what", "know_about"),
+    "know_any": ("yesno", "know_about"),
+    "know_how": ("yesno", "know_how"),
+    "how": ("how", "know_how"),
+    "taught": ("who", "taught"),
+    "was_taught": ("yesno", "taught"),
+    "told": ("who", "taught"),
+    "happens": ("what", "happens"),
+    "means": ("how", "means"),
+    "mean_same": ("yesno", "means"),
+    "extent": ("how", "did"),
+    "what_before": ("what", "before"),
+    "what_after": ("what", "after"),
+    "abilities": ("what", "abilities"),
+    "whoami": ("who", "identity"),
+    "allowed": ("yesno", "allowed"),
+    "when_learned": ("when", "taught"),
+    "when_did": ("when", "did"),
+    "would": ("what", "would"),
+}
+DEEDS: Final = ("action", "gerunding", "did_it", "said_it")
+
+
+def of_topic(build: Build, body: AList) -> Question:
+    """A question about the robot's own doings and lessons."""
+    ask, topic = TOPICS[body.name]
+    if body.name == "why" and (body.has("pred") or body.has("does_q")):
+        topic = "taught"  # what is so has no doer, but a source
+    chain = body.find("chain")
+    supposed = build.chain(chain) if chain is not None else None
+    return Question(ask, _about(build, body), "", topic, supposed)
+
+
+def on_occasion(build: Build, about: Graphlet, occasion: AList) -> Graphlet:
+    """What is asked about, with what was said on that occasion: "where did you go when I told you to turn"."""
+    if (action := occasion.find("action")) is None:
+        build.add("act", "say", obj=build.add("txt", literal=occasion.slot("quote")))
+    else:
+        speaker = occasion.find("np") or AList("np", (AList("pron", value="me"),))
+        told(build, speaker, build.action(action))
+    return build.graphlet(about.main)
+
+
+def _about(build: Build, body: AList) -> Graphlet:
+    """The act, clause or thing that a question about the robot itself is about; "that" where none is named."""
+    if (conds := body.find("conds")) is not None:
+        return condition(build, conds)
+    if (said := body.find("clause")) is not None:
+        return build.graphlet(clause(build, said))
+    if (does := body.find("does_q")) is not None:
+        so = does_so(build, does, build.thing(body.first("np")))
+        build.sketch.change(so, negated=body.has("neg"))
+        return build.graphlet(so)
+    if (action := body.find(*DEEDS)) is not None:
+        act = build.action(action)
+        if any(part.name == "neg" for part in body):
+            build.sketch.change(act, negated=True)
+        return build.graphlet(act)
+    if (pred := body.find("pred")) is not None:
+        thing = build.thing(body.first("np"))
+        return build.graphlet(build.predicate(thing, pred, negated=body.has("neg")))
+    if (np := body.find("np")) is not None:
+        thing = build.thing(np)
+        if (teller := body.find("teller")) is not None:
+            build.thing(teller.first("np"), person=True)
+        return build.graphlet(thing)
+    if (word := body.slot("quote_word") or body.slot("openword")) or (word := body.slot("quote")):
+        act = build.add("act", word.lower())
+        if body.name == "mean_same":
+            build.add("act", body.slot("openword").lower())
+        return build.graphlet(act)
+    if body.name == "whoami":
+        return build.graphlet(build.oneself("me"))
+    if body.name in ("busy", "did_what", "abilities", "would"):
+        return build.graphlet(build.add("act", agt=build.oneself("you")))
+    words = (body.value or "").split() if body.name == "why" else ["that"]
+    bare = "" if words in (["why"], ["why", "not"]) else "that"  # of whatever was said or done last
+    return build.graphlet(build.add("act", ref=bare, negated="not" in words))
+
+
+def does_so(build: Build, does: AList, agent: str) -> str:
+    """ "Like cats", "like turning left": node of what somebody does all the time."""
+    if (gerunding := does.find("gerunding")) is not None:
+        liked = build.action(gerunding)
+        return build.add("act", does.slot("state"), agt=agent, obj=liked)
+    said = (AList("state", value=does.value),) if does.value else does.parts
+    habit = AList("habit", said)
+    return clause(build, AList("q", (habit,)), agent)
