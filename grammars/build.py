@@ -24,6 +24,7 @@ SIZES: Final = {
     "completely": "fully",
     "fully": "fully",
     "a lot": "much",
+    "a whole lot": "much",
     "halfway": "half",
     "half way": "half",
     "further": "more",
