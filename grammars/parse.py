@@ -28,14 +28,15 @@ from grammars.errors import NotUnderstoodError
 from grammars.lattice import Lexer, Token, variants
 from grammars.nearest import nearest_sentence
 from grammars.normalise import pieces
-from grammars.reading import BrokenOffError, Parsed, Reader
+from grammars.reading import Attempts, BrokenOffError, Parsed, Reader
 from grammars.source import grammar_text
-from grammars.suggesting import rather, respelt
+from grammars.suggesting import Words, rather, respelt
 from grammars.vocabulary import BORN, Vocabulary, set_phrases, with_verb
 from kernel.memory.reply import AskKeep, AskWhich
 
 MOST_WORDS: Final = 60
 MOST_LETTERS: Final = 1000
+MOST_READ: Final = 30  # words of all attempts upon a sentence, before another suggestion is tried
 COMPILED: Final = "grammar.json"
 
 
@@ -247,28 +248,32 @@ def parse(
             return meant
     elif expecting is not None:
         answers = partial(grammar().forest, symbol="expected")
-        for reading in Reader(text, lexer, answers, grammar().cost).read(found):
+        for reading in Reader(text, lexer, Attempts(answers), grammar().cost).read(found):
             if fits(reading.meaning, expecting):
                 return reading
-    reader = Reader(text, lexer, grammar().forest, grammar().cost)
+    attempts = Attempts(grammar().forest)
+    reader = Reader(text, lexer, attempts, grammar().cost)
     strange = [at for at, piece in enumerate(found) if reader.lexer.strange(piece)]
     for reading in reader.readings(found, strange):
         return reading
     unknown = tuple(dict.fromkeys(found[at].text for at in strange))
-    words = (*grammar().literal, *vocabulary.everything)
-    works = partial(_works, vocabulary=vocabulary)
+    words = Words(grammar().literal, vocabulary.everything)
+    works = partial(_works, vocabulary=vocabulary, attempts=attempts)
     asking, near = None, respelt(text, found, strange, words, works)
     new = unknown[0] if len(unknown) == 1 and unknown[0] not in YES | NO else ""
-    if new and near is None and _works(text, with_verb(vocabulary, new)):
+    if new and near is None and _works(text, with_verb(vocabulary, new), attempts):
         asking = AskWord(new, text)
     elif near is None:
         near = rather(text, found, reader.reached, words, works) or nearest_sentence(text)
     raise NotUnderstoodError(text, reader.understood(found), near, unknown, asking)
 
 
-def _works(text: str, vocabulary: Vocabulary) -> bool:
-    """It means something as it stands, without a guess and not as a fact, which nearly anything can be taken for."""
-    reader = Reader(text, Lexer(vocabulary, grammar().literal), grammar().forest, grammar().cost)
+def _works(text: str, vocabulary: Vocabulary, attempts: Attempts) -> bool:
+    """It means something as it stands, without a guess and not as a fact, which nearly anything can be taken for; so
+    far as that may still be tried."""
+    if attempts.words > MOST_READ:
+        return False
+    reader = Reader(text, Lexer(vocabulary, grammar().literal), attempts, grammar().cost)
     found = pieces(text)
     readings = chain.from_iterable(map(reader.read, variants(found, vocabulary)))
     return any(

@@ -5,7 +5,7 @@ means something wins. How words are put together is the business of `parse.py`.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any, Final
 
 from grammars.alist import AList
@@ -19,6 +19,10 @@ from kernel.memory.meaning import Meaning
 
 MOST_REPAIRED: Final = 2  # typos in one sentence
 MOST_REPAIRS: Final = 9  # ways to repair them that are tried
+MOST_READ: Final = (
+    40  # words of all attempts upon a sentence, before another way to repair it is tried
+)
+END: Final[frozenset[str]] = frozenset()  # categories of no word
 CONDITIONALS: Final = frozenset("if when whenever unless until while".split())
 
 
@@ -28,6 +32,42 @@ class BrokenOffError(Exception):
     def __init__(self, at: int) -> None:
         super().__init__(at)
         self.at = at
+
+
+@dataclass
+class Attempts:
+    """All that is tried upon one sentence: what has broken off once is not read again.
+
+    How words are derived depends on their categories alone, so words of the same categories break off alike: "grab the
+    cup zork" and, with "cup" in its place spelt otherwise, "grab the cap zork".
+
+    Attributes:
+        derive: the forest of all derivations of tokens.
+        broken: categories of the words up to the one that could not follow, and that itself.
+        words: how many were read in all.
+    """
+
+    derive: Callable[..., Any]
+    broken: set[tuple[frozenset[str], ...]] = field(default_factory=set)
+    words: int = 0
+
+    def forest(self, tokens: Sequence[Token]) -> Any:
+        """The forest of all derivations as a sentence.
+
+        Raises:
+            BrokenOffError: there is none.
+        """
+        said = (*(frozenset(token.readings) for token in tokens), END)
+        for at in range(len(said)):
+            if said[: at + 1] in self.broken:
+                raise BrokenOffError(at)
+        self.words += len(tokens)
+        try:
+            return self.derive(tokens)
+        except BrokenOffError as error:
+            self.words -= len(tokens) - error.at
+            self.broken.add(said[: error.at + 1])
+            raise
 
 
 @dataclass(frozen=True, slots=True)
@@ -66,14 +106,14 @@ class Reader:
     Attributes:
         text: as given.
         lexer: turns its words into tokens.
-        derive: the forest of all derivations of tokens, as a sentence or as what else is named.
+        attempts: upon this sentence.
         cost: of each rule of the grammar, by its id.
         reached: how many words the best attempt took.
     """
 
     text: str
     lexer: Lexer
-    derive: Callable[..., Any]
+    attempts: Attempts
     cost: Mapping[int, int]
     reached: int = 0
 
@@ -92,11 +132,11 @@ class Reader:
         self, found: list[Piece], strange: Sequence[int], likely: bool
     ) -> Iterator[Parsed]:
         """What it means with its typos repaired, if that can be one thing only."""
-        readings = [
-            reading
-            for variant, repaired in self.corrected(found, strange, likely)
-            for reading in self.read(variant, repaired=repaired)
-        ]
+        readings: list[Parsed] = []
+        for variant, repaired in self.corrected(found, strange, likely):
+            if self.attempts.words > MOST_READ:
+                return  # what was not tried might be meant as well
+            readings += self.read(variant, repaired=repaired)
         if len(readings) == 1:
             yield from readings
 
@@ -108,7 +148,7 @@ class Reader:
     ) -> Iterator[Parsed]:
         """The best reading that means something, if there is one."""
         try:
-            forest = self.derive(self.lexer.tokens(found, guessing))
+            forest = self.attempts.forest(self.lexer.tokens(found, guessing))
         except BrokenOffError as error:
             self.reached = max(self.reached, error.at)
             return
@@ -145,7 +185,7 @@ class Reader:
     def is_condition(self, tokens: Sequence[Token]) -> bool:
         """The words are clauses."""
         try:
-            self.derive(tokens, "conds")
+            self.attempts.derive(tokens, "conds")
         except BrokenOffError:
             return False
         return True

@@ -5,7 +5,8 @@ A suggestion is never acted on: it is said, and the person says it, or something
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Collection, Iterator, Sequence
+from dataclasses import dataclass
 from itertools import islice, product
 from typing import Final
 
@@ -16,6 +17,15 @@ from grammars.nearest import slip
 from grammars.normalise import Piece
 
 Works = Callable[[str], bool]
+
+
+@dataclass(frozen=True, slots=True)
+class Words:
+    """The words known: such as the rules of the grammar have written out, and all others."""
+
+    written: Collection[str]
+    others: Collection[str]
+
 
 MOST_TRIED: Final = 6  # sentences of each sort
 MOST_SHORTER: Final = 4
@@ -33,7 +43,7 @@ KEPT: Final = frozenset(
 
 
 def respelt(
-    text: str, found: Sequence[Piece], strange: Sequence[int], words: Sequence[str], works: Works
+    text: str, found: Sequence[Piece], strange: Sequence[int], words: Words, works: Works
 ) -> str | None:
     """The sentence with its unknown words spelt as words that are known, if it works then."""
     if not 0 < len(strange) <= MOST_STRANGE or len(found) > MOST_WORDS:
@@ -45,7 +55,7 @@ def respelt(
 
 
 def rather(
-    text: str, found: Sequence[Piece], reached: int, words: Sequence[str], works: Works
+    text: str, found: Sequence[Piece], reached: int, words: Words, works: Works
 ) -> str | None:
     """The sentence with a word or two left out, or with its last word of those understood spelt otherwise, if it works
     then."""
@@ -58,18 +68,20 @@ def rather(
     return next(filter(works, (*islice(other, MOST_OTHER), *shorter)), None)
 
 
-def _near(word: str, words: Sequence[str]) -> list[str]:
-    """Known words that may be meant by it, the likest first; a long one may have two slips."""
+def _near(word: str, words: Words) -> list[str]:
+    """Known words that may be meant by it, the likest first, of these such as the grammar has written out; a long one
+    may have two slips."""
+    known = (*words.written, *words.others)
     found = process.extract(
-        word, words, scorer=OSA.distance, score_cutoff=1 + (len(word) >= LONG), limit=None
+        word, known, scorer=OSA.distance, score_cutoff=1 + (len(word) >= LONG), limit=None
     )
     ranked = sorted(
-        (distance, slip(word, other), other)
+        (distance, slip(word, other), other not in words.written, other)
         for other, distance, _ in found
         if sorted(word) == sorted(other)
         or (word[0] == other[0] and (len(word) >= SHORT or len(other) > len(word)))
     )
-    return [other for *_, other in ranked if other != word]
+    return list(dict.fromkeys(other for *_, other in ranked if other != word))
 
 
 def _with(text: str, found: Sequence[Piece], instead: dict[int, str]) -> str:

@@ -22,6 +22,8 @@ def nearest(text: str) -> str | None:
         ("don't gab a person", "don't grab a person"),
         ("if somthing is closs then turn left", "if something is close then turn left"),
         ("raise the left", "raise the lift"),
+        ("stp", "stop"),
+        ("trn left", "turn left"),
         ("and turn left", "turn left"),
         ("turn left of", "turn left"),
     ],
