@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from grammars.alist import AList
 from grammars.build import Build, NoMeaningError
-from grammars.clauses import clause, condition, exception
+from grammars.clauses import clause, condition, exception, stated
 from grammars.hedges import belief
 from grammars.registry import sentence_form
 from grammars.vocabulary import BORN
@@ -21,6 +21,7 @@ EXAMPLES = (
     "Girls are usually female.",
     "If a person is from Brazil, he likely speaks Portuguese.",
     "big blocks are definitely heavy",
+    "a cup is heavy if it is full",
 )
 
 
@@ -33,7 +34,7 @@ def rule(alist: AList) -> Teach:
         condition_, thing = _kind(build, generic)
         said = alist
     elif conclusion is not None:
-        condition_, thing = condition(build, alist.first("conds")), ""
+        condition_, thing = _conditions(build, alist, conclusion)
         said = conclusion
     else:
         raise NoMeaningError(str(alist))
@@ -56,6 +57,24 @@ def rule(alist: AList) -> Teach:
 
 def _same_said(one: Graphlet, other: Graphlet) -> bool:
     return {(t.kind, t.lex) for t in one} >= {(t.kind, t.lex) for t in other}
+
+
+def _conditions(build: Build, alist: AList, conclusion: AList) -> tuple[Graphlet, str]:
+    """What must be so, and the subject of a conclusion that stands before it: "a cup is heavy if it is full"."""
+    conds, subject = alist.first("conds"), conclusion.find("np", "base_np")
+    first = next(part for part in alist if part in (conds, conclusion))
+    if first is conds or subject is None or subject.has("pron") or subject.has("name"):
+        return condition(build, conds), ""
+    with build.drawing(pattern=True):
+        build.topic = thing = build.thing(subject)
+        if build.negative:
+            raise NoMeaningError("nothing in particular")
+        described = {*build.board}
+        must = stated(build, conds)
+        new = [term for term in must if term.name not in described]
+        if not any(thing == other for term in new for _, other in term.links):
+            raise NoMeaningError("the condition is about something else")
+        return must, thing
 
 
 def _is_name(said: AList) -> bool:
