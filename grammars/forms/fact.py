@@ -26,6 +26,8 @@ EXAMPLES = (
     "the ball is behind you",
 )
 
+# What somebody does without ever being at it; such a saying is no deed that could be watched.
+STATIVE: Final = frozenset("know like love hate want need own prefer fear see mean".split())
 LONGEST_QUOTE: Final = 6  # words somebody is told to have said; at more length it is gossip
 
 
@@ -69,8 +71,22 @@ def _check_subject(said: AList) -> None:
         or subject.slot("ako") == "name"
         or (vague and pred is not None and pred.has("kindof"))
     )
-    if generic or subject.slot("pron") in ("i", "me"):
+    if generic or subject.slot("pron") in ("i", "me") or _is_saying(said, subject):
         raise NoMeaningError(str(said))
+
+
+def _is_saying(said: AList, subject: AList) -> bool:
+    """What somebody that only a pronoun tells of does to a thing that nothing is said of: "he knows the ropes"; and of
+    the robot also to any such thing, as it knows best what it sees and likes: "you need a break"."""
+    things = said.all("np")[1:]
+    if said.slot("does") not in STATIVE or not subject.has("pron"):
+        return False
+    kinds = ("the",) if subject.slot("pron") != "you" else ("the", "a", "an", "")
+    return any(thing.slot("det") in kinds and _is_bare(thing) for thing in things)
+
+
+def _is_bare(thing: AList) -> bool:
+    return all(part.name in ("det", "ako", "akos") for part in thing)
 
 
 def _named(build: Build, named: AList) -> Fact:

@@ -7,7 +7,16 @@ from hypothesis.strategies import DrawFn, SearchStrategy
 
 from kernel.action.chain import Chain, Directive, Loop, Play
 from kernel.memory.lesson import Operator, Rule
-from kernel.memory.meaning import Command, Fact, Meaning, Teach
+from kernel.memory.meaning import (
+    Choice,
+    Command,
+    Control,
+    Fact,
+    Meaning,
+    Question,
+    Revision,
+    Teach,
+)
 from kernel.net.graphlet import Graphlet, Sketch, Term
 
 KINDS = ["block", "cup", "person", "ball", "cereal box", "umbrella", "cat"]
@@ -424,3 +433,46 @@ def _news(draft: Draft) -> Meaning:
 
 
 trustings, aliases, news = _with(_trusting), _with(_alias), _with(_news)
+
+
+def _revision(draft: Draft) -> Meaning:
+    """Other steps: instead of a deed, of the last ones, or more of them within a deed."""
+    sort = draft.one_of("instead of", "instead", "first", "last")
+    steps = Chain((draft.turning(),))
+    if sort == "instead":
+        return Revision(steps)
+    old = draft.graphlet(draft.add("act", draft.one_of("dance", "cha-cha")))
+    if sort == "instead of":
+        return Revision(steps, old)
+    return Revision(steps, of=old, last=sort == "last")
+
+
+def _control(draft: Draft) -> Meaning:
+    """Something stopped or forgotten; who taught what."""
+    sort = draft.one_of("stop", "how", "about", "learned")
+    if sort in ("stop", "how"):
+        act = draft.add("act", draft.one_of("turn", "dance", "cha-cha"))
+        return Control("stop" if sort == "stop" else "forget", draft.graphlet(act))
+    who = draft.add("obj", draft.one_of(*NAMES))
+    return Control("learned" if sort == "learned" else "forget", draft.graphlet(who))
+
+
+def _question(draft: Draft) -> Meaning:
+    """Whether something is so."""
+    thing = draft.looked_up("the")
+    draft.board += [name for find in draft.finds for name in find.names]
+    draft.finds = []
+    return Question("yesno", draft.graphlet(draft.statement(thing)))
+
+
+def _choice(draft: Draft) -> Meaning:
+    """The one that is red."""
+    one = draft.add("obj", ref=draft.one_of("one", "the"))
+    if draft.sketch.terms[one].ref == "the":
+        draft.add("ako", draft.one_of("block", "cup"), ako=one)
+    draft.add("hq", draft.one_of(*QUALITIES), hq=one)
+    return Choice(draft.graphlet(one))
+
+
+revisions, controls = _with(_revision), _with(_control)
+questions, choices = _with(_question), _with(_choice)

@@ -12,8 +12,9 @@ from grammars.parse import parse
 from grammars.registry import discover
 from grammars.render import gist, render
 from kernel.managing import whole
-from kernel.memory.meaning import Fact, Meaning, Teach
+from kernel.memory.meaning import Choice, Fact, Meaning, Teach
 from kernel.memory.notation import canonical, read, write_meaning
+from kernel.memory.reply import AskWhich
 from tests.grammars import nets
 
 PROCEDURES = [
@@ -408,3 +409,55 @@ def test_any_lesson_has_a_gist(meaning: Teach) -> None:
     heart = gist(meaning.content)
     assert 0 < len(heart.split()) <= 6
     assert render(meaning, "robot")
+
+
+@settings(max_examples=25, deadline=None)
+@given(nets.revisions)
+def test_any_revision(meaning: Meaning) -> None:
+    same(render(meaning, "teacher"), "revision", meaning)
+
+
+@settings(max_examples=25, deadline=None)
+@given(nets.controls)
+def test_any_control(meaning: Meaning) -> None:
+    same(render(meaning, "teacher"), "control", meaning)
+
+
+@settings(max_examples=25, deadline=None)
+@given(nets.questions)
+def test_any_question_whether_something_is_so(meaning: Meaning) -> None:
+    same(render(meaning, "teacher"), "question", meaning)
+
+
+@settings(max_examples=25, deadline=None)
+@given(nets.choices)
+def test_any_choice(meaning: Choice) -> None:
+    """Understood only while the robot asks."""
+    asked = AskWhich(meaning.described, (meaning.described,))
+    back = parse(render(meaning, "teacher"), expecting=asked)
+    assert write_meaning(back.meaning) == write_meaning(meaning)
+
+
+# Each form with the nets that are drawn for it; social, identity, feedback and refusal have no nets.
+DRAWN = {
+    "after": nets.arounds,
+    "alias": nets.aliases,
+    "before": nets.arounds,
+    "choice": nets.choices,
+    "command": nets.commands,
+    "control": nets.controls,
+    "fact": nets.facts,
+    "finding": nets.findings,
+    "permission": nets.permissions,
+    "procedure": nets.procedures,
+    "prohibition": nets.prohibitions,
+    "question": nets.questions,
+    "reaction": nets.reactions,
+    "revision": nets.revisions,
+    "rule": nets.rules,
+    "trust": nets.trusts,
+}
+
+
+def test_every_form_with_nets_has_some_drawn() -> None:
+    assert set(discover()) - set(DRAWN) == {"social", "identity", "feedback", "refusal"}
