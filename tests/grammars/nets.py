@@ -345,6 +345,17 @@ def _trust(draft: Draft) -> Meaning:
     return Teach("permission", Operator(Directive("ANTE", trigger), chain))
 
 
+def _only(draft: Draft) -> Meaning:
+    """Who alone may order an act: the telling is the way out."""
+    act = draft.action(pattern=True)
+    done = draft.graphlet(act)
+    boss = draft.add("obj", draft.names.pop() if draft.names else "tom")
+    tell = draft.add("act", "tell", agt=boss, dest=draft.oneself("you"), cmd=act)
+    telling = draft.graphlet(tell)
+    chain = Chain((Play((Directive("PUNT"),)),))
+    return Teach("permission", Operator(Directive("ANTE", done), chain, unless=(telling,)))
+
+
 def _prohibition(draft: Draft) -> Meaning:
     act = draft.action(pattern=True)
     trigger = draft.graphlet(act)
@@ -474,5 +485,5 @@ def _choice(draft: Draft) -> Meaning:
     return Choice(draft.graphlet(one))
 
 
-revisions, controls = _with(_revision), _with(_control)
+revisions, controls, onlies = _with(_revision), _with(_control), _with(_only)
 questions, choices = _with(_question), _with(_choice)

@@ -349,7 +349,7 @@ def test_any_command(meaning: Meaning) -> None:
     st.one_of(
         *(nets.procedures, nets.arounds, nets.reactions, nets.reached),
         *(nets.prohibitions, nets.permissions, nets.trusts),
-        *(nets.findings, nets.failings, nets.trustings, nets.aliases),
+        *(nets.findings, nets.failings, nets.trustings, nets.onlies, nets.aliases),
     )
 )
 def test_any_operator(meaning: Teach) -> None:
