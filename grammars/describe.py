@@ -78,7 +78,7 @@ def _graphlets(meaning: Meaning) -> Iterator[Graphlet]:
 
 def _words(meaning: Meaning) -> set[str]:
     """Lemmas, numbers and words of quoted speech, one word each."""
-    words = {meaning.name} if isinstance(meaning, Identity) else set()
+    words = set(meaning.name.split()) if isinstance(meaning, Identity) else set()
     for graphlet in _graphlets(meaning):
         for term in graphlet:
             words |= {word for lex in term.lex for word in lex.split()}

@@ -6,17 +6,19 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
+from functools import cache
 from typing import Final
 
 from grammars.morphology import readings as inflected
 from grammars.normalise import Piece, repaired_by_speaker, without_chat, without_repeats
 from grammars.source import set_categories
-from grammars.vocabulary import OPEN, Vocabulary
+from grammars.vocabulary import OPEN, Vocabulary, set_phrases
 
 # Words around a set phrase that are no part of it.
 ADDRESS: Final = frozenset(
     "hey okay robot now please well so alright listen kindly for me then thanks could can would will you".split()
 )
+MOST_PHRASE_WORDS: Final = 6
 # Words after a name: whose something is, what persons do to the robot, of what kind somebody is.
 OWN: Final = ("his", "her", "their")
 ORDERING: Final = [[verb] for verb in "told asked taught ordered tells asks orders".split()]
@@ -144,6 +146,7 @@ def variants(found: list[Piece], vocabulary: Vocabulary) -> Iterator[list[Piece]
         once,
         repaired_by_speaker(once, vocabulary.readings),
         without_chat(once),
+        _with_set_phrases(once),
     ):
         if variant and variant not in seen:
             seen.append(variant)
@@ -161,6 +164,25 @@ def _as_phrase(found: list[Piece], vocabulary: Vocabulary) -> list[Piece]:
             if begin < end and vocabulary.readings(text).keys() & set_categories():
                 return [*words[:begin], _merged(words[begin:end]), *words[end:]]
     return []
+
+
+def _with_set_phrases(found: list[Piece]) -> list[Piece]:
+    """Every set phrase of several words made one word, the longest first: "good night robot, see you in the morning"."""
+    said = _several_words()
+    made: list[Piece] = []
+    at = 0
+    while at < len(found):
+        ends = range(min(len(found), at + MOST_PHRASE_WORDS), at + 1, -1)
+        end = next((e for e in ends if tuple(p.text for p in found[at:e]) in said), at + 1)
+        made.append(found[at] if end == at + 1 else _merged(found[at:end]))
+        at = end
+    return made
+
+
+@cache
+def _several_words() -> frozenset[tuple[str, ...]]:
+    phrases = (tuple(phrase.split()) for said in set_phrases().values() for phrase in said)
+    return frozenset(words for words in phrases if 1 < len(words) <= MOST_PHRASE_WORDS)
 
 
 def _with_phrases(found: list[Piece], vocabulary: Vocabulary) -> list[Piece]:

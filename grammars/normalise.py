@@ -48,6 +48,7 @@ WHOLE: Final = {
     "wanna": "want to",
     "ok": "okay",
     "pls": "please",
+    "nevermind": "never mind",
     "'em": "them",
     "till": "until",
     "til": "until",
