@@ -167,7 +167,7 @@ def _as_phrase(found: list[Piece], vocabulary: Vocabulary) -> list[Piece]:
 
 
 def _with_set_phrases(found: list[Piece]) -> list[Piece]:
-    """Every set phrase of several words made one word, the longest first: "good night robot, see you in the morning"."""
+    """Every set phrase of several words made one word, the longest first: "good night robot, see you soon"."""
     said = _several_words()
     made: list[Piece] = []
     at = 0
