@@ -18,6 +18,8 @@ from kernel.commons import Commons
 from kernel.managing import last_taught, with_chunks
 from kernel.memory.attention import Focus
 from kernel.memory.editing import (
+    alteration,
+    altered,
     has_step,
     with_more,
     with_other_end,
@@ -35,7 +37,7 @@ from kernel.running import Frame
 
 def revise(commons: Commons, focus: Focus, revision: Revision) -> Run:
     """Change the lesson or do the other thing; where there is nothing to correct, say so."""
-    if all(d.tag == "FIND" for d in revision.chain.directives()):
+    if revision.chain.plays and all(d.tag == "FIND" for d in revision.chain.directives()):
         return (yield from _other_thing(commons, focus, revision))
     while commons.pending:  # what is corrected may just have been taught
         focus.waits.add("store")
@@ -44,10 +46,13 @@ def revise(commons: Commons, focus: Focus, revision: Revision) -> Run:
     if edited is not None:
         return (yield from _edit(commons, focus, *edited))
     command = commons.recent.command
+    if (change := alteration(revision.chain)) is not None:
+        chain = altered(command.chain, change) if command is not None else None
+        return _nothing(commons) if chain is None else (yield from _instead(commons, focus, chain))
     fits = revision.instead_of is None or (
         command is not None and has_step(command.chain, revision.instead_of)
     )
-    if command is None or revision.of is not None or not fits:
+    if command is None or not revision.chain.plays or revision.of is not None or not fits:
         return _nothing(commons)
     return (yield from _instead(commons, focus, revision.chain))
 
@@ -72,6 +77,9 @@ def _edited(commons: Commons, revision: Revision) -> tuple[Lesson, Operator] | N
         taught = None if commanded else _taught(commons)
         if taught is None or not isinstance(taught.content, Operator):
             return None
+        if (change := alteration(revision.chain)) is not None:
+            other = altered(taught.content.chain, change)
+            return None if other is None else (taught, replace(taught.content, chain=other))
         changed = with_other_end(taught.content, revision.chain)
         return None if changed is None else (taught, changed)
     likely = [recent.deed, _taught(commons)]

@@ -6,6 +6,7 @@ from grammars.alist import AList
 from grammars.build import Build, NoMeaningError
 from grammars.registry import sentence_form
 from kernel.action.chain import Chain, Directive, Play, sequence
+from kernel.memory.editing import OTHER_WAY
 from kernel.memory.meaning import Revision
 from kernel.net.graphlet import Graphlet
 
@@ -17,6 +18,10 @@ EXAMPLES = (
     "not the red one the blue one",
     "you should say good evening instead of good day",
     "turn right instead of turning left",
+    "make it slower",
+    "no, to the left",
+    "leave out the turn",
+    "change the left turn to a right turn",
 )
 
 
@@ -26,21 +31,47 @@ def revision(alist: AList) -> Revision:
     build = Build()
     if alist.has("new_words"):
         return _words(build, alist)
-    old, instead = alist.find("old"), alist.find("gerunding", "action")
+    if (altered := alist.find("altered")) is not None:
+        return Revision(_altered(build, altered))
+    old, instead = alist.find("old"), alist.find("stepping", "gerunding", "action")
     with build.drawing(pattern=True):
         of = build.graphlet(build.action(old.first("action"))) if old is not None else None
     with build.drawing(pattern=True):
         if instead is None:
             instead = _other_amount(alist)
         replaced = build.graphlet(build.action(instead)) if instead is not None else None
-    if (chain := alist.find("chain")) is not None:
-        steps = build.chain(chain)
+    if (instead := alist.find("replacing")) is not None:
+        chain: AList | None = AList("chain", (AList("play", (AList("action", instead.parts),)),))
     else:
-        things = alist.all("np")
+        chain = alist.find("chain")
+    if chain is not None:
+        steps = build.chain(chain)
+    elif alist.has("stepping"):
+        steps = Chain(())
+    else:
+        things = alist.all("np") or [_one(part) for part in alist.all("qual")]
         if not things:
             raise NoMeaningError(str(alist))
         replaced, steps = _things(build, things)
     return Revision(steps, replaced, of, last=alist.has("at_end"))
+
+
+def _altered(build: Build, altered: AList) -> Chain:
+    """A step of no verb: the last one, with these modifiers in the place of those that it had."""
+    with build.drawing(pattern=True):
+        act = build.add("act")
+        if (num := altered.find("num")) is not None:
+            build.add("amt", literal=num.value, amt=act)
+        elif altered.has("other_way"):
+            build.add("dir", OTHER_WAY, dir=act)
+        else:
+            build.modifiers(act, altered)
+        return sequence(Directive("DO", build.graphlet(act)))
+
+
+def _one(quality: AList) -> AList:
+    """ "Red" is "the red one"."""
+    return AList("np", (AList("det", value="the"), quality, AList("one", value="one")))
 
 
 def _other_amount(alist: AList) -> AList | None:

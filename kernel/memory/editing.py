@@ -7,10 +7,11 @@ from dataclasses import replace
 
 from kernel.action.chain import Chain, Directive, Loop, Part, Play
 from kernel.memory.lesson import Operator, graphlets
-from kernel.memory.likeness import covers
+from kernel.memory.likeness import OPPOSITES, covers
 from kernel.memory.notation import mapped
 from kernel.net.graphlet import Graphlet, Term
 
+OTHER_WAY = "other way"  # "no, the other way": the opposite direction of the one the step had
 ONE = frozenset(("one",))  # "the blue one": of whatever kind the other one is
 
 
@@ -33,6 +34,51 @@ def with_more(operator: Operator, more: Chain, *, last: bool = False) -> Operato
     more = _fresh(more, graphlets(operator))
     plays = (*operator.chain.plays, *more.plays) if last else (*more.plays, *operator.chain.plays)
     return replace(operator, chain=Chain(plays))
+
+
+def without_step(operator: Operator, old: Graphlet) -> Operator | None:
+    """The operator without the steps that the description fits; None if none does, or nothing would be left."""
+    changed = with_other_step(operator, old, Chain(()))
+    return changed if changed is not None and changed.chain.tagged("DO") else None
+
+
+def alteration(new: Chain) -> Graphlet | None:
+    """What says only how the last step is to be otherwise: a step of no verb."""
+    steps = new.tagged("DO")
+    head = steps[0].head if len(steps) == 1 else None
+    return steps[0] if head is not None and not head.lex and not head.links else None
+
+
+def altered(chain: Chain, change: Graphlet) -> Chain | None:
+    """The chain with these modifiers of its last step in the place of its own of the same sort; None if none fits."""
+    steps = chain.tagged("DO")
+    if not steps or not steps[-1].head:
+        return None
+    last = steps[-1]
+    change = _fresh_graphlet(change, chain.graphlets())
+    change = change.renamed({change.main: last.main})
+    roles = {role for t in change for role, other in t.links if other == last.main}
+    had = {
+        t.name: t for t in last if any(link in t.links for link in ((r, last.main) for r in roles))
+    }
+    terms = [_like(t, had.values()) for t in change if t.name != last.main]
+    if None in terms:
+        return None
+    gone = {t.name for t in last if t.name in had or any(to in had for _, to in t.links)}
+    kept = [t for t in last if t.name not in gone]
+    whole = Graphlet((*kept, *(t for t in terms if t is not None)), last.main)
+    return _mapped(chain, lambda d: (Directive("DO", whole),) if d.graphlet is last else None)
+
+
+def _like(new: Term, had: Iterable[Term]) -> Term | None:
+    """The modifier, with what it takes from the one before: "five" its unit, "the other way" its opposite."""
+    before = next((t for t in had if {r for r, _ in t.links} == {r for r, _ in new.links}), None)
+    if new.kind == "amt" and not new.lex:
+        return None if before is None else replace(new, lex=before.lex)
+    if new.lex == frozenset((OTHER_WAY,)):
+        pair = next((p for p in OPPOSITES if before is not None and before.lex <= p), None)
+        return None if pair is None or before is None else replace(new, lex=pair - before.lex)
+    return new
 
 
 def has_step(chain: Chain, old: Graphlet) -> bool:
