@@ -19,7 +19,7 @@ EXAMPLES = (
     "you should say good evening instead of good day",
     "turn right instead of turning left",
     "make it slower",
-    "no, to the left",
+    "no, the other way",
     "leave out the turn",
     "change the left turn to a right turn",
 )
