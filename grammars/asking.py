@@ -50,7 +50,7 @@ def fits(answer: Meaning, question: AskWhich | AskKeep) -> bool:
     return bool(said) and said <= offered
 
 
-def agreed(question: AskWord, text: str) -> bool | None:
+def agreed(text: str) -> bool | None:
     """Whether the answer says that it is something to do; None where it says something else."""
     said = tuple(piece.text for piece in pieces(text) if piece.kind != "comma")
     first, rest = said[:1], said[1:]

@@ -9,7 +9,7 @@ from typing import Final
 from grammars.alist import AList
 from grammars.chains import bare_chain, count, plays
 from grammars.clauses import stated
-from grammars.mentions import DEGREES, OWNING, SELF_OWN, Thing, is_person
+from grammars.mentions import OWNING, SELF_OWN, Thing, degree, is_person
 from grammars.things import NoMeaningError, Things
 from grammars.vocabulary import BORN, lines
 from kernel.action.chain import Chain, Directive, Play
@@ -132,7 +132,7 @@ class Build(Things):
         if faster is not None:
             self.add("deg", "more", deg=mod)
         for deg in manner.all("deg"):
-            self.add("deg", DEGREES.get(deg.value or "", deg.value or ""), deg=mod)
+            self.add("deg", degree(deg.value or ""), deg=mod)
 
     def _speech(self, speech: AList) -> str:
         verb = next(part.name for part in speech if part.name in ("say", "tell", "ask"))

@@ -9,15 +9,11 @@ from grammars.vocabulary import lines
 
 
 @cache
-def _idioms() -> frozenset[tuple[str, ...]]:
-    return frozenset(tuple(piece.text for piece in pieces(line)) for line in lines("idioms"))
-
-
-@cache
-def _openings() -> frozenset[tuple[str, ...]]:
-    return frozenset(tuple(piece.text for piece in pieces(line)) for line in lines("openings"))
+def _sayings(sort: str) -> frozenset[tuple[str, ...]]:
+    return frozenset(tuple(piece.text for piece in pieces(line)) for line in lines(sort))
 
 
 def is_chatter(words: tuple[str, ...]) -> bool:
     """A saying, or what starts as nothing but a saying does."""
-    return words in _idioms() or any(words[: len(start)] == start for start in _openings())
+    starts = _sayings("openings")
+    return words in _sayings("idioms") or any(words[: len(start)] == start for start in starts)

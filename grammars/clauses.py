@@ -5,7 +5,10 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from grammars.alist import AList
+from grammars.hedges import preference
 from grammars.things import NoMeaningError
+from kernel.action.chain import Directive
+from kernel.memory.lesson import Operator
 from kernel.net.graphlet import Graphlet
 
 if TYPE_CHECKING:
@@ -142,6 +145,21 @@ def exception(build: Build, alist: AList) -> tuple[Graphlet, ...]:
 def enablement(build: Build, alist: AList) -> tuple[Graphlet, ...]:
     """What stands after "if" or "while" where an action is the trigger."""
     return tuple(condition(build, conds) for conds in alist.all("conds"))
+
+
+def around(build: Build, alist: AList, tag: str) -> Operator:
+    """What is done before or after an act, when it is and when it is not."""
+    with build.drawing(pattern=True, trigger=True):
+        trigger = build.graphlet(build.action(alist.first("action", "gerunding", "did_it")))
+    enabled = enablement(build, alist)
+    chain = build.chain(alist.first("chain"))
+    return Operator(
+        Directive(tag, trigger),
+        chain,
+        enablement=enabled,
+        unless=exception(build, alist),
+        preference=preference(alist.slot("pref")),
+    )
 
 
 def told(build: Build, speaker: AList, act: str) -> str:

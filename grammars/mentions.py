@@ -82,6 +82,11 @@ class Thing:
         return self.person and not {self.kind, self.called} & wrong
 
 
+def degree(said: str) -> str:
+    """The word for it in the net."""
+    return DEGREES.get(said, said)
+
+
 def is_person(np: AList) -> bool:
     """The noun phrase names a person, or tells of one."""
     kind = np.slot("ako") or np.slot("akos")

@@ -222,7 +222,7 @@ def without_chat(found: Sequence[Piece]) -> list[Piece]:
     for said in THINKING:
         for at in range(len(found) - len(said) + 1):
             end = at + len(said)
-            if tuple(piece.text for piece in found[at:end]) != said:
+            if tuple(_texts(found[at:end])) != said:
                 continue
             before = at > 0 and found[at - 1].kind == "comma"
             after = end < len(found) and found[end].kind == "comma"
@@ -259,7 +259,7 @@ def repaired_by_speaker(
 
     sorts: the categories of a word; the correction takes the place of what is of its sort.
     """
-    texts = [piece.text for piece in found]
+    texts = _texts(found)
     for marker in (
         ["no", "i", "mean"],
         ["make", "that"],

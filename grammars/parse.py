@@ -286,7 +286,7 @@ def _works(text: str, vocabulary: Vocabulary, attempts: Attempts) -> bool:
 
 def _of_word(text: str, vocabulary: Vocabulary, question: AskWord) -> Parsed | None:
     """What the answer to a question about a word means: where it is something to do, the sentence it stood in."""
-    if (agreement := agreed(question, text)) is None:
+    if (agreement := agreed(text)) is None:
         sentence = told(question, text)
         try:
             return None if sentence is None else parse(sentence, vocabulary)

@@ -15,7 +15,6 @@ from typing import Any
 from grammars.alist import AList
 from grammars.mentions import (
     ANY_KIND,
-    DEGREES,
     NOBODY,
     OWNING,
     PERSON_WORDS,
@@ -25,6 +24,7 @@ from grammars.mentions import (
     SELF,
     SELF_OWN,
     Thing,
+    degree,
 )
 from grammars.vocabulary import BORN
 from kernel.memory.recall import PERSONS
@@ -197,7 +197,7 @@ class Things:
         )
         hq = self.add("hq", word, hq=name, negated=negated)
         for deg in qual.all("deg"):
-            self.add("deg", DEGREES.get(deg.value or "", deg.value or ""), deg=hq)
+            self.add("deg", degree(deg.value or ""), deg=hq)
         if qual.has("more"):
             self.add("deg", "more", deg=hq)
         if qual.has("most") or qual.has("most_of"):

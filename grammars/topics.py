@@ -82,7 +82,7 @@ def _about(build: Build, body: AList) -> Graphlet:
         if (teller := body.find("teller")) is not None:
             build.thing(teller.first("np"), person=True)
         return build.graphlet(thing)
-    if (word := body.slot("quote_word") or body.slot("openword")) or (word := body.slot("quote")):
+    if word := body.slot("quote_word") or body.slot("openword") or body.slot("quote"):
         act = build.add("act", word.lower())
         if body.name == "mean_same":
             build.add("act", body.slot("openword").lower())

@@ -124,7 +124,10 @@ def changed(
 
 def _asleep(commons: Commons, change: Change) -> list[Resting]:
     """The lessons it takes or brings back that rest."""
-    undone = [c for c in commons.policy.changes() if c.ident in change.undone]
+    if not commons.resting:
+        return []
+    taken_back = set(change.undone)
+    undone = [c for c in commons.policy.changes() if c.ident in taken_back]
     idents = {*change.retracted, *(n for c in undone for n in c.retracted)}
     numbers = {c.ident for c in undone}
     return [x for x in commons.resting if x.ident in idents or x.change in numbers]

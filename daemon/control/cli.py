@@ -116,17 +116,18 @@ def parse(text: str | None, as_json: bool, explain: bool) -> None:
 
     if explain and as_json:
         raise click.UsageError("--explain is for people, --json for programs: one of the two")
-    if text not in (None, "-"):
-        answer = described(common.clean(text or ""))
-        click.echo(as_json_line(answer) if as_json else as_text(answer))
-        for line in explained(answer["text"]) if explain else ():
-            click.echo(line)
-        sys.exit(common.EXIT_NOT_UNDERSTOOD if answer["kind"] == "not_understood" else 0)
-    for sentence in common.sentences():
+
+    def show(sentence: str) -> bool:
         answer = described(sentence)
         click.echo(as_json_line(answer) if as_json else as_text(answer))
         for line in explained(sentence) if explain else ():
             click.echo(line)
+        return bool(answer["kind"] != "not_understood")
+
+    if text not in (None, "-"):
+        sys.exit(0 if show(common.clean(text or "")) else common.EXIT_NOT_UNDERSTOOD)
+    for sentence in common.sentences():
+        show(sentence)
 
 
 @cli.command()

@@ -4,11 +4,8 @@ from __future__ import annotations
 
 from grammars.alist import AList
 from grammars.build import Build
-from grammars.clauses import enablement, exception
-from grammars.hedges import preference
+from grammars.clauses import around
 from grammars.registry import sentence_form
-from kernel.action.chain import Directive
-from kernel.memory.lesson import Operator
 from kernel.memory.meaning import Teach
 
 EXAMPLES = (
@@ -23,16 +20,4 @@ EXAMPLES = (
 @sentence_form("after", "after", EXAMPLES)
 def after(alist: AList) -> Teach:
     """An operator on POST; the action may stand in the sentence after what is to be done."""
-    build = Build()
-    with build.drawing(pattern=True, trigger=True):
-        trigger = build.graphlet(build.action(alist.first("action", "gerunding", "did_it")))
-    enabled = enablement(build, alist)
-    chain = build.chain(alist.first("chain"))
-    operator = Operator(
-        Directive("POST", trigger),
-        chain,
-        enablement=enabled,
-        unless=exception(build, alist),
-        preference=preference(alist.slot("pref")),
-    )
-    return Teach("after", operator)
+    return Teach("after", around(Build(), alist, "POST"))

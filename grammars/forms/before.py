@@ -4,11 +4,8 @@ from __future__ import annotations
 
 from grammars.alist import AList
 from grammars.build import Build
-from grammars.clauses import enablement, exception
-from grammars.hedges import preference
+from grammars.clauses import around
 from grammars.registry import sentence_form
-from kernel.action.chain import Directive
-from kernel.memory.lesson import Operator
 from kernel.memory.meaning import Teach
 
 EXAMPLES = (
@@ -23,16 +20,4 @@ EXAMPLES = (
 @sentence_form("before", "before", EXAMPLES)
 def before(alist: AList) -> Teach:
     """An operator on ANTE; the action may stand in the sentence after what is to be done."""
-    build = Build()
-    with build.drawing(pattern=True, trigger=True):
-        trigger = build.graphlet(build.action(alist.first("action", "gerunding")))
-    enabled = enablement(build, alist)
-    chain = build.chain(alist.first("chain"))
-    operator = Operator(
-        Directive("ANTE", trigger),
-        chain,
-        enablement=enabled,
-        unless=exception(build, alist),
-        preference=preference(alist.slot("pref")),
-    )
-    return Teach("before", operator)
+    return Teach("before", around(Build(), alist, "ANTE"))

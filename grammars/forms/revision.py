@@ -40,10 +40,9 @@ def revision(alist: AList) -> Revision:
         if instead is None:
             instead = _other_amount(alist)
         replaced = build.graphlet(build.action(instead)) if instead is not None else None
-    if (instead := alist.find("replacing")) is not None:
-        chain: AList | None = AList("chain", (AList("play", (AList("action", instead.parts),)),))
-    else:
-        chain = alist.find("chain")
+    chain = alist.find("chain")
+    if (replacing := alist.find("replacing")) is not None:
+        chain = AList("chain", (AList("play", (AList("action", replacing.parts),)),))
     if chain is not None:
         steps = build.chain(chain)
     elif alist.has("stepping"):

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Final, Literal
 
+from grammars.chains import TIMES
 from grammars.morphology import gerund, past, plural, third_person
 from grammars.render.telling import Telling, linked, word
 from grammars.render.things import degree, literally, place, thing
@@ -16,7 +17,6 @@ VerbForm = Literal["base", "gerund", "third", "past"]
 _FORMS: Final[dict[VerbForm, Callable[[str], str]]] = {
     "base": str, "gerund": gerund, "third": third_person, "past": past,
 }  # fmt: skip
-_UNITS_OF_TIME: Final = ("second", "minute", "hour")
 _WAITING: Final = ("wait", "pause", "rest")
 _GOING: Final = ("go", "drive", "move", "step", "roll", "run", "walk", "come", "climb")
 _SENSING: Final = ("see", "hear", "watch", "notice", "feel")
@@ -109,5 +109,5 @@ def _modifiers(telling: Telling, term: Term) -> list[str]:
 def _amount(term: Term, verb: str) -> str:
     unit = word(term)
     number = term.literal or "1"
-    lasting = unit in _UNITS_OF_TIME and verb not in _WAITING
+    lasting = unit in TIMES and verb not in _WAITING
     return f"{'for ' if lasting else ''}{number} {unit if number == '1' else plural(unit)}"

@@ -58,9 +58,7 @@ def altered(chain: Chain, change: Graphlet) -> Chain | None:
     change = _fresh_graphlet(change, chain.graphlets())
     change = change.renamed({change.main: last.main})
     roles = {role for t in change for role, other in t.links if other == last.main}
-    had = {
-        t.name: t for t in last if any(link in t.links for link in ((r, last.main) for r in roles))
-    }
+    had = {t.name: t for t in last if any(r in roles and to == last.main for r, to in t.links)}
     terms = [_like(t, had.values()) for t in change if t.name != last.main]
     if None in terms:
         return None
