@@ -9,7 +9,7 @@ from typing import Final
 from grammars.alist import AList
 from grammars.chains import bare_chain, count, plays
 from grammars.clauses import stated
-from grammars.mentions import OWNING, SELF_OWN, Thing, degree, is_person
+from grammars.mentions import OWNING, SELF_OWN, Thing, degree, is_person, place_word
 from grammars.things import NoMeaningError, Things
 from grammars.vocabulary import BORN, lines
 from kernel.action.chain import Chain, Directive, Play
@@ -119,7 +119,14 @@ class Build(Things):
             elif part.name == "size":
                 self.add("deg", SIZES.get(part.value or "", "little"), deg=act)
             elif part.name == "place":
-                self.place("loc", act, part.first("loc"))
+                self._placed(act, part.first("loc"))
+
+    def _placed(self, act: str, loc: AList) -> None:
+        """Where it is done; "look at each block" is done in a loop."""
+        if (every := loc.find("every")) is None:
+            self.place("loc", act, loc)
+        else:
+            self.add("loc", place_word(loc), loc=act, wrt=self.every(every))
 
     def _manner(self, act: str, manner: AList) -> None:
         faster = manner.find("faster")

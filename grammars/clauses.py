@@ -139,7 +139,9 @@ def _doing(build: Build, part: AList, agent: str, objects: list[AList], negated:
 def exception(build: Build, alist: AList) -> tuple[Graphlet, ...]:
     """What stands after "unless", each way out by itself."""
     found = alist.find("exception")
-    return () if found is None else (condition(build, found.first("conds")),)
+    if found is None:
+        return ()
+    return (condition(build, found.first("conds")), *exception(build, found))
 
 
 def enablement(build: Build, alist: AList) -> tuple[Graphlet, ...]:

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from typing import Final
 
 from grammars.alist import AList
+from grammars.morphology import gerund
 from grammars.vocabulary import BORN
 
 SELF: Final = {"you": "you", "yourself": "you", "me": "me", "i": "me", "mine": "me", "yours": "you"}
@@ -85,6 +86,20 @@ class Thing:
 def degree(said: str) -> str:
     """The word for it in the net."""
     return DEGREES.get(said, said)
+
+
+def compounded(np: AList) -> str:
+    """What a noun is compounded with: "cereal" of a cereal box, "charging" of a charging station."""
+    sub = np.find("sub")
+    if sub is None:
+        return ""
+    return sub.value or gerund(sub.slot("gerund"))
+
+
+def place_word(loc: AList) -> str:
+    """The net's word for where something is: "next to" for beside."""
+    word = loc.slot("prep") or ("between" if loc.has("between") else "for")
+    return PLACES.get(word, word)
 
 
 def is_person(np: AList) -> bool:

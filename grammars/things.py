@@ -19,12 +19,13 @@ from grammars.mentions import (
     OWNING,
     PERSON_WORDS,
     PERSONAL,
-    PLACES,
     REFS,
     SELF,
     SELF_OWN,
     Thing,
+    compounded,
     degree,
+    place_word,
 )
 from grammars.vocabulary import BORN
 from kernel.memory.recall import PERSONS
@@ -167,7 +168,7 @@ class Things:
         with self._own_board(here=new):
             name = self.add("obj", *([called] if called else []), ref=ref)
             if kind and (kind not in ANY_KIND or ref):
-                self.kind(name, kind, np.slot("sub"))
+                self.kind(name, kind, compounded(np))
             if vague in PERSON_WORDS and not anybody:
                 self.kind(name, "person")
             for qual in np.all("qual"):
@@ -282,7 +283,7 @@ class Things:
             self.quality(name, qual, negated and not kind)
         if not kind:
             raise NoMeaningError(str(kindof))
-        node = self.kind(name, kind, kindof.slot("sub"), negated)
+        node = self.kind(name, kind, compounded(kindof), negated)
         if (loc := kindof.find("loc")) is not None:
             self.place("loc", name, loc)
         if (of := kindof.find("np")) is not None:
@@ -292,6 +293,5 @@ class Things:
 
     def place(self, role: str, name: str, loc: AList, negated: bool = False) -> str:
         """Say where something is or is done; the node of that."""
-        word = loc.slot("prep") or ("between" if loc.has("between") else "for")
         marks = [self.aside(np) for np in loc.all("np")]
-        return self.add("loc", PLACES.get(word, word), negated=negated, loc=name, wrt=marks)
+        return self.add("loc", place_word(loc), negated=negated, loc=name, wrt=marks)

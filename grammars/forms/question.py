@@ -9,6 +9,7 @@ from typing import Final
 from grammars.alist import AList
 from grammars.build import Build, NoMeaningError
 from grammars.clauses import clause
+from grammars.mentions import compounded
 from grammars.registry import sentence_form
 from grammars.topics import DEEDS, TOPICS, does_so, of_topic, on_occasion
 from kernel.memory.meaning import Question
@@ -143,7 +144,7 @@ def _whose(build: Build, body: AList) -> Question:
     for qual in body.all("qual"):
         build.quality(thing, qual)
     if kind := body.slot("ako"):
-        build.kind(thing, kind, body.slot("sub"))
+        build.kind(thing, kind, compounded(body))
     return Question("who", build.graphlet(build.add("own", own=thing, of=wanted)), wanted)
 
 

@@ -13,6 +13,7 @@ from grammars.render.deeds import deed
 from grammars.render.procedures import procedure, without
 from grammars.render.telling import SAYING, Telling, Voice, is_predicate, linked, word
 from grammars.render.things import literally, pronoun, thing
+from grammars.vocabulary import BORN
 from kernel.memory.lesson import LEARN, Operator, Rule
 from kernel.net.graphlet import Graphlet, Term
 
@@ -184,10 +185,12 @@ def _advice(telling: Telling, content: Operator) -> str:
 
 
 def _goal(telling: Telling, content: Operator) -> str:
-    """ "To dance"; where the verb is a phrase of the teacher's own, "when I say "make way""."""
+    """ "To dance"; where the verb is the teacher's own and no word for a deed, "when I say "make way""."""
     trigger = content.trigger.graphlet
     phrase = word(telling.term(_main(content)))
-    if trigger and len(trigger.terms) == 1 and " " in phrase and phrase not in particles():
+    known = BORN.knows(phrase) and "VERB" not in BORN.readings(phrase)
+    own = known or " " in phrase
+    if trigger and len(trigger.terms) == 1 and own and phrase not in particles():
         speaker = pronoun(telling, "me", "subject")
         return f"when {speaker} say {literally(phrase)}"
     return f"to {deed(telling, _main(content))}"
@@ -269,4 +272,5 @@ def _enabled(telling: Telling, content: Operator) -> str:
 
 
 def _except(telling: Telling, content: Operator) -> str:
-    return "".join(f" unless {conditions(telling, graphlet)}" for graphlet in content.unless)
+    said = " or ".join(conditions(telling, graphlet) for graphlet in content.unless)
+    return f" unless {said}" if said else ""
