@@ -263,6 +263,9 @@ class Things:
         if (compared := pred.find("compared")) is not None:
             word = compared.slot("adjer") or compared.slot("hq")
             other = self.aside(compared.first("np"))
+            if (alike := compared.find("alike")) is not None:
+                roles = {"hq": name, "as": other}
+                return self.add("hq", alike.slot("hq"), negated=negated, **roles)
             return self.add("hq", word, hq=name, than=other, negated=negated)
         if (called := pred.find("isname")) is not None:
             if self.sketch.terms[name].lex & {"you", "me"}:  # "if you are idle"

@@ -6,13 +6,16 @@ from typing import Final
 
 from grammars.alist import AList
 from grammars.build import Build
-from grammars.clauses import clause, condition, told
+from grammars.clauses import clause, condition
 from kernel.memory.meaning import Ask, Question
 from kernel.net.graphlet import Graphlet
 
 # Bracket to question word and topic, for questions about the robot's own doings and lessons.
 TOPICS: Final[dict[str, tuple[Ask, str]]] = {
     "why": ("why", "did"),
+    "what_made": ("what", "why"),
+    "been": ("where", "did"),
+    "takes": ("how", "takes"),
     "busy": ("what", "doing"),
     "intent": ("yesno", "doing"),
     "did_what": ("what", "did"),
@@ -21,12 +24,10 @@ TOPICS: Final[dict[str, tuple[Ask, str]]] = {
     "know_how": ("yesno", "know_how"),
     "how": ("how", "know_how"),
     "taught": ("who", "taught"),
-    "was_taught": ("yesno", "taught"),
     "told": ("who", "taught"),
     "happens": ("what", "happens"),
-    "means": ("how", "means"),
+    "means": ("what", "means"),
     "mean_same": ("yesno", "means"),
-    "extent": ("how", "did"),
     "what_before": ("what", "before"),
     "what_after": ("what", "after"),
     "abilities": ("what", "abilities"),
@@ -44,19 +45,11 @@ def of_topic(build: Build, body: AList) -> Question:
     ask, topic = TOPICS[body.name]
     if body.name == "why" and (body.has("pred") or body.has("does_q")):
         topic = "taught"  # what is so has no doer, but a source
+    if body.has("any_happens"):
+        ask = "yesno"
     chain = body.find("chain")
     supposed = build.chain(chain) if chain is not None else None
     return Question(ask, _about(build, body), "", topic, supposed)
-
-
-def on_occasion(build: Build, about: Graphlet, occasion: AList) -> Graphlet:
-    """What is asked about, with what was said on that occasion: "where did you go when I told you to turn"."""
-    if (action := occasion.find("action")) is None:
-        build.add("act", "say", obj=build.add("txt", literal=occasion.slot("quote")))
-    else:
-        speaker = occasion.find("np") or AList("np", (AList("pron", value="me"),))
-        told(build, speaker, build.action(action))
-    return build.graphlet(about.main)
 
 
 def _about(build: Build, body: AList) -> Graphlet:
@@ -89,7 +82,7 @@ def _about(build: Build, body: AList) -> Graphlet:
         return build.graphlet(act)
     if body.name == "whoami":
         return build.graphlet(build.oneself("me"))
-    if body.name in ("busy", "did_what", "abilities", "would"):
+    if body.name in ("busy", "been", "did_what", "abilities", "would"):
         return build.graphlet(build.add("act", agt=build.oneself("you")))
     words = (body.value or "").split() if body.name == "why" else ["that"]
     bare = "" if words in (["why"], ["why", "not"]) else "that"  # of whatever was said or done last

@@ -56,6 +56,7 @@ def _state(lexicon: Lexicon, verb: str) -> None:
     _add(lexicon, morphology.third_person(verb), "STATES", verb)
     _add(lexicon, morphology.gerund(verb), "VERBING", verb)
     _add(lexicon, morphology.past(verb), "VERBED", verb)
+    _add(lexicon, morphology.participle(verb), "VERBED", verb)
 
 
 def _noun(lexicon: Lexicon, noun: str) -> None:

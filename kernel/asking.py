@@ -18,7 +18,7 @@ from kernel.memory.experience import Deed
 from kernel.memory.explanation import Asked, Lessons
 from kernel.memory.lesson import Lesson, Operator, Rule
 from kernel.memory.meaning import Question
-from kernel.memory.meant import affirmed, description, grounded, is_like, synonyms, verb
+from kernel.memory.meant import affirmed, description, grounded, is_like, synonyms, together, verb
 from kernel.memory.reply import Reply
 from kernel.net.graphlet import Graphlet, Term
 from kernel.net.match import Binding
@@ -80,7 +80,7 @@ class Asking:
         return Graphlet(
             tuple(
                 replace(term, lex=names) if "me" in term.lex and names else term
-                for term in affirmed(self.question.about)
+                for term in affirmed(together(self.question.about))
             ),
             self.question.about.main,
         )

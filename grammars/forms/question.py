@@ -10,8 +10,24 @@ from grammars.alist import AList
 from grammars.build import Build, NoMeaningError
 from grammars.clauses import clause
 from grammars.mentions import compounded
+from grammars.occasions import occasional, on_occasion
 from grammars.registry import sentence_form
-from grammars.topics import DEEDS, TOPICS, does_so, of_topic, on_occasion
+from grammars.topics import of_topic
+from grammars.wanted import (
+    ASKS,
+    adverbial,
+    asked_thing,
+    cleft,
+    either_so,
+    fronted,
+    related,
+    same_thing,
+    subject,
+    wanted,
+    what_for,
+    whether,
+    why,
+)
 from kernel.memory.meaning import Question
 
 EXAMPLES = (
@@ -45,6 +61,16 @@ EXAMPLES = (
     "what would you do if I said turn left while the gripper is empty",
     "what would you do if I said grab each blue block",
     "show me what you would do if something is very close",
+    "which cup did Freddy tell you to lift",
+    "did Mary tell you to turn left",
+    "what are you afraid of",
+    "where are you going",
+    "how far did you drive",
+    "how long did you wait",
+    "when do you say hello",
+    "is the gripper open or closed",
+    "what are you not allowed to touch",
+    "I wonder who may tell you to turn left",
 )
 
 
@@ -54,32 +80,30 @@ def question(alist: AList) -> Question:
     body = alist.parts[0]
     build = Build()
     with build.drawing(pattern=True):
-        asked = of_topic(build, body) if body.name in TOPICS else SO[body.name](build, body)
+        asked = SO[body.name](build, body) if body.name in SO else of_topic(build, body)
         if (occasion := alist.find("occasion")) is not None:
-            return replace(asked, about=on_occasion(build, asked.about, occasion))
+            return replace(asked, about=on_occasion(build, asked.about, body, occasion))
         return asked
 
 
 def _what(build: Build, body: AList) -> Question:
-    """ "What is in front of you": a thing is wanted; "what is a robin": what is known of it."""
-    if (place := body.find("pred_place")) is not None:
-        wanted = build.add("obj")
-        return Question("what", build.graphlet(build.predicate(wanted, place, False)), wanted)
-    if (qual := body.find("qual")) is not None:
-        wanted = build.add("obj")
-        return Question("what", build.graphlet(build.quality(wanted, qual)), wanted)
-    things = body.all("np")
-    if (doing := body.find("state_verb", "gerund")) is not None:
-        agent = build.thing(things[0]) if things else build.oneself("you")
-        wanted = build.add("obj")
-        verb = doing.value or "have"
-        return Question(
-            "what", build.graphlet(build.add("act", verb, agt=agent, obj=wanted)), wanted
-        )
-    if not things:
-        raise NoMeaningError(str(body))
-    thing = build.thing(things[0])
+    """ "What is a robin": what is known of it."""
+    thing = _meant(build, body)
     return Question("what", build.graphlet(thing), thing)
+
+
+def _meant(build: Build, body: AList) -> str:
+    """Node of the thing a question is about, with what is said of it."""
+    if (clause_of := body.find("related")) is not None:
+        return related(build, clause_of)
+    if (pointed := body.find("pointed")) is not None:  # "that on the chair"
+        thing = build.thing(pointed)
+        build.place("loc", thing, pointed.first("loc"))
+        return thing
+    np = body.find("np")
+    if np is None:
+        raise NoMeaningError(str(body))
+    return build.thing(np)
 
 
 def _holding(build: Build, body: AList) -> Question:
@@ -101,8 +125,13 @@ def _color(build: Build, body: AList) -> Question:
 
 def _how_much(build: Build, body: AList) -> Question:
     """ "How far is the wall": the degree of the quality is wanted."""
-    np = body.find("np")
-    thing = build.oneself("you") if np is None else build.thing(np)
+    things = body.all("np")
+    if things and things[0].slot("pron") == "it" and len(things) > 1:  # "how far is it to the door"
+        things.pop(0)
+    first, *others = [build.thing(np) for np in things] or [build.oneself("you")]
+    for other in others:
+        build.add("loc", "from", loc=first, wrt=other)
+    thing = first
     hq = build.add("hq", body.slot("hq"), hq=thing)
     wanted = build.add("deg", deg=hq)
     return Question("how", build.graphlet(hq), wanted)
@@ -118,21 +147,7 @@ def _owned(_: Build, body: AList) -> AList:
 
 
 def _who(build: Build, body: AList) -> Question:
-    things = body.all("np")
-    if (pred := body.find("pred")) is not None:
-        wanted = build.add("obj")
-        return Question("who", build.graphlet(build.predicate(wanted, pred, False)), wanted)
-    if (done := body.find(*DEEDS)) is not None:
-        wanted = build.add("obj")
-        act = build.action(done)
-        build.sketch.link(act, "agt", wanted)
-        return Question("who", build.graphlet(act), wanted)
-    if body.has("habit_s") or body.has("going"):
-        wanted = build.add("obj")
-        return Question("who", build.graphlet(clause(build, body, wanted)), wanted)
-    if body.has("has") or (things and not body.has("is") and body.has("had")):
-        raise NoMeaningError(str(body))
-    thing = build.thing(things[0]) if things else build.oneself("you")
+    thing = _meant(build, body)
     return Question("who", build.graphlet(thing), thing)
 
 
@@ -143,61 +158,42 @@ def _whose(build: Build, body: AList) -> Question:
     thing = build.thing(things[-1] if things else (inner or body).first("np"))
     for qual in body.all("qual"):
         build.quality(thing, qual)
-    if kind := body.slot("ako"):
+    if kind := body.slot("ako") or body.slot("akos"):
         build.kind(thing, kind, compounded(body))
     return Question("who", build.graphlet(build.add("own", own=thing, of=wanted)), wanted)
 
 
 def _where(build: Build, body: AList) -> Question:
-    if (action := body.find(*DEEDS)) is not None:
-        act = build.action(action)
-        obj = next((other for role, other in build.sketch.terms[act].links if role == "obj"), "")
-        if not obj:  # "where did you go"
-            return Question("where", build.graphlet(act), "", "did")
-        loc = build.add("loc", loc=obj)
-        return Question("where", build.graphlet(loc), loc)
-    loc = build.add("loc", loc=build.thing(body.first("np")))
+    loc = build.add("loc", loc=_meant(build, body))
     return Question("where", build.graphlet(loc), loc)
-
-
-def _which(build: Build, body: AList) -> Question:
-    described = tuple(p for p in body if p.name in ("ako", "akos", "sub", "qual", "one"))
-    thing = build.thing(body.find("np") or AList("np", described))
-    main = build.predicate(thing, body.first("pred"), negated=False)
-    return Question("which", build.graphlet(main), thing)
 
 
 def _either(build: Build, body: AList) -> Question:
     """ "Who is taller, John or Mary": whether the first is; asked as which."""
+    word = body.first("which_one").slot("wh_word") if body.has("which_one") else "which"
     one, other = (build.thing(np) for np in body.all("np"))
-    hq = build.add("hq", body.slot("adjer"), hq=one, than=other)
-    return Question("which", build.graphlet(hq), one)
+    most = body.find("the_most") or body
+    hq = build.add("hq", most.slot("adjer") or most.slot("adjest"), hq=one, than=other)
+    return Question(ASKS.get(word, "which"), build.graphlet(hq), one)
 
 
 def _yesno(build: Build, body: AList) -> Question:
     if (said := body.find("clause")) is not None:
         return Question("yesno", build.graphlet(clause(build, said)))
+    if (asks := body.find("asks")) is not None:
+        return whether(build, asks)
+    if (done := body.find("gerunding")) is not None:  # "have you finished turning"
+        return Question("yesno", build.graphlet(build.action(done)), "", "did")
     subject = body.find("np")
-    if (action := body.find(*DEEDS)) is not None:
-        act = build.action(action)
-        own = subject is None or subject.slot("pron") == "you"
-        agent = build.oneself("you") if subject is None else build.thing(subject, person=True)
-        build.sketch.link(act, "agt", agent)
-        return Question("yesno", build.graphlet(act), "", "did" if own else "")
-    if (exists := body.find("exists_q")) is not None:
-        thing = build.thing(exists.first("np"))
-        if (pred := exists.find("pred")) is not None:
-            return Question("yesno", build.graphlet(build.predicate(thing, pred, False)))
-        return Question("yesno", build.graphlet(thing))
-    if body.has("pred") or body.has("going"):
-        return Question("yesno", build.graphlet(clause(build, body)))
     agent = build.oneself("you") if subject is None else build.thing(subject)
-    if (does := body.find("does_q")) is not None:
-        return Question("yesno", build.graphlet(does_so(build, does, agent)))
     if (complement := body.find("complement")) is not None:
         hq = build.quality(agent, complement)
-        build.add("loc", "of", loc=hq, wrt=build.thing(complement.first("np")))
+        doing = complement.find("gerunding")
+        about = build.thing(complement.first("np")) if doing is None else build.action(doing)
+        build.add("loc", complement.slot("regard", "of"), loc=hq, wrt=about)
         return Question("yesno", build.graphlet(hq))
+    if body.has("pred"):  # "are all birds animals"
+        return Question("yesno", build.graphlet(clause(build, body)))
     things = body.all("np")
     if not things or body.has("name"):
         raise NoMeaningError(str(body))
@@ -208,23 +204,55 @@ def _yesno(build: Build, body: AList) -> Question:
 
 
 def _howmany(build: Build, body: AList) -> Question:
-    described = tuple(p for p in body if p.name in ("ako", "akos", "sub", "qual", "one"))
-    if (action := body.find(*DEEDS)) is not None:
-        act = build.action(action)
-        if described:  # "how many blocks did you pick up"
-            build.sketch.link(act, "obj", build.thing(AList("np", described)))
-        return Question("howmany", build.graphlet(act), "", "did")
-    thing = build.thing(AList("np", described))
-    if (pred := body.find("pred")) is not None:
-        main = build.predicate(thing, pred, negated=False)
-    elif body.has("gerund") or body.has("state_verb"):
-        verb = body.slot("gerund") or body.slot("state_verb") or "have"
-        main = build.add("act", verb, agt=build.oneself("you"), obj=thing)
-    elif (owner := body.find("np")) is not None:
-        main = build.add("act", "have", agt=build.thing(owner), obj=thing)
-    else:
-        main = thing
-    return Question("howmany", build.graphlet(main), thing)
+    ask, wanted, thing = asked_thing(build, body.first("wh"))
+    if ask != "howmany":
+        raise NoMeaningError(str(body))
+    pred = body.find("pred")
+    main = thing if pred is None else build.predicate(thing, pred, negated=False)
+    return Question(ask, build.graphlet(main), wanted)
+
+
+def _seeing(build: Build, body: AList) -> Question:
+    """ "Can you see the ball": whether it does."""
+    agent, *things = [build.thing(np) for np in body.all("np")]
+    see = build.add("act", body.slot("perceiving"), agt=agent, obj=things[0])
+    build.modifiers(see, body)
+    return Question("yesno", build.graphlet(see))
+
+
+def _how_is(build: Build, body: AList) -> Question:
+    hq = build.add("hq", hq=build.thing(body.first("np")))
+    return Question("how", build.graphlet(hq), hq)
+
+
+def _named(build: Build, body: AList) -> Question:
+    """ "What do you call this", "what is the dog called": what it is, or who."""
+    thing = build.thing(body.first("np"))
+    return Question("what", build.graphlet(thing), thing)
+
+
+def _which_is(build: Build, body: AList) -> Question:
+    thing = _meant(build, body)
+    return Question("which", build.graphlet(thing), thing)
+
+
+def _which_way(build: Build, body: AList) -> Question:
+    loc = build.add("loc", loc=build.thing(body.first("np")))
+    return Question("which", build.graphlet(loc), loc)
+
+
+def _steps(build: Build, body: AList) -> Question:
+    """ "How many steps are there in your dance": they are told."""
+    act = build.action(body.find("action") or AList("action", (body.first("act"),)))
+    step = build.add("obj")
+    build.kind(step, "step")
+    return Question("howmany", build.graphlet(act), step, "know_how")
+
+
+def _why(build: Build, body: AList) -> Question:
+    if body.has("asks"):
+        return why(build, body)
+    return of_topic(build, body)
 
 
 SO: Final[dict[str, Callable[[Build, AList], Question]]] = {
@@ -235,8 +263,23 @@ SO: Final[dict[str, Callable[[Build, AList], Question]]] = {
     "who": _who,
     "whose": _whose,
     "where": _where,
-    "which": _which,
     "either": _either,
     "yesno": _yesno,
     "howmany": _howmany,
+    "why": _why,
+    "what_for": what_for,
+    "seeing": _seeing,
+    "how_is": _how_is,
+    "named_what": _named,
+    "which_is": _which_is,
+    "cleft": cleft,
+    "either_so": either_so,
+    "same_thing": same_thing,
+    "which_way": _which_way,
+    "steps": _steps,
+    "occasional": occasional,
+    "subject": subject,
+    "wanted": wanted,
+    "adverbial": adverbial,
+    "fronted": fronted,
 }

@@ -172,7 +172,10 @@ def _as_quality(telling: Telling, term: Term) -> str:
     other = linked(term, "than")
     if other:
         return f"{comparative(word(term))} than {thing(telling, other)}"
-    return quality(telling, term)
+    if alike := linked(term, "as"):
+        return f"as {word(term)} as {thing(telling, alike)}"
+    regards = [place(telling, about) for about in telling.take(term.name, "loc")]
+    return " ".join([quality(telling, term), *regards])
 
 
 def _as_owned(telling: Telling, term: Term) -> str:

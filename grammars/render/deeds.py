@@ -94,16 +94,21 @@ def _modifiers(telling: Telling, term: Term) -> list[str]:
     """Place, amount, degree, manner and count; "turn 10 degrees around", as "around 10" is roughly 10."""
     name, verb = term.name, word(term)
     places = [place(telling, where) for where in telling.take(name, "loc")]
-    amounts = [_amount(amount, verb) for amount in telling.take(name, "amt")]
-    if amounts:
-        amounts += [word(way) for way in telling.about(name, "dir") if word(way) in _APPROXIMATE]
+    measures = amounts(telling, name, verb)
+    if measures:
+        measures += [word(way) for way in telling.about(name, "dir") if word(way) in _APPROXIMATE]
     degrees = [_SIZES.get(word(size), word(size)) for size in telling.take(name, "deg")]
     manners = [degree(telling, how.name) + word(how) for how in telling.take(name, "mod")]
     counts = [
         _COUNTS.get(count.literal or "", f"{count.literal} times")
         for count in telling.take(name, "cnt")
     ]
-    return [part for part in (*places, *amounts, *degrees, *manners, *counts) if part]
+    return [part for part in (*places, *measures, *degrees, *manners, *counts) if part]
+
+
+def amounts(telling: Telling, name: str, verb: str = "wait") -> list[str]:
+    """How far or how long: "10 inches", "for 2 seconds" where the verb is none of waiting."""
+    return [_amount(amount, verb) for amount in telling.take(name, "amt")]
 
 
 def _amount(term: Term, verb: str) -> str:

@@ -39,6 +39,7 @@ class Telling:
         mentioned: things spoken of, in order of first mention, with the kind they were called by ("" for "something"):
             "it" is the last one, "the block" the last one called a block (grammars/things.py).
         stated: predicates already told, or kept back to be told as a clause.
+        gap: the thing that is asked for: it is missing where the clause would name it.
     """
 
     described: tuple[Graphlet, ...]
@@ -47,6 +48,7 @@ class Telling:
     mentioned: dict[str, str] = field(default_factory=dict)
     stated: set[str] = field(default_factory=set)
     terms: dict[str, Term] = field(default_factory=dict)
+    gap: str = ""
 
     def __post_init__(self) -> None:
         known = {name for graphlet in self.described for name in graphlet.mentioned}

@@ -32,6 +32,8 @@ _DEGREES: Final = {"little": "a little", "fully": "all the way"}
 
 def thing(telling: Telling, name: str, case: Case = "object") -> str:
     """The noun phrase for a node: the second time it is spoken of, a pronoun where only one thing can be meant."""
+    if name == telling.gap:
+        return ""
     term = telling.term(name)
     if person := term.lex & {"you", "me"}:  # the speaker may have a name as well
         return pronoun(telling, min(person), case)

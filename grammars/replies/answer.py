@@ -34,6 +34,8 @@ def _claimed(asked: Question, holds: bool) -> str:
             return f"I {'' if holds else 'do not '}know how to {act_in_words(asked.about)}"
         case "doing":
             return f"I am {'' if holds else 'not '}{act_in_words(asked.about, (), 'gerund')}"
+        case "ordered":
+            return "nobody told me to do that, as far as I remember"
         case "did":
             done = act_in_words(asked.about, (), "past" if holds else "base")
             return f"I {'' if holds else 'did not '}{done}"
@@ -49,6 +51,8 @@ def _unknown(asked: Question) -> str:
             return "I don't know who you are"
         case "doing", _:
             return "I am doing nothing"
+        case "ordered", ask:
+            return "nobody told me to do that, as far as I remember"
         case "did", "what":
             return "I did nothing"
         case "did", ask:

@@ -19,6 +19,7 @@ _NONE: Final = {
     "before": "nothing that I was taught",
     "after": "nothing that I was taught",
     "allowed": "nobody has forbidden me anything",
+    "occasion": "nothing that I was taught",
 }
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from kernel.asking import Asking, answers
 from kernel.memory.experience import Deed
-from kernel.memory.explanation import Because, Counted, Moment
+from kernel.memory.explanation import Because, Counted, Extent, Moment
 from kernel.memory.meant import is_like
 from kernel.memory.reply import Answer, Reply
 
@@ -24,7 +24,7 @@ def is_doing(asking: Asking) -> Answer:
     return Answer(asking.question, "yes" if going_on else "no")
 
 
-@answers("did", "what", "how", "where")
+@answers("did", "what", "how", "where", "which", "who")
 def did_what(asking: Asking) -> Reply:
     """The newest whole deed that has ended, or why it came to nothing."""
     deed = next((d for d in asking.deeds() if not d.going_on), None)
@@ -67,6 +67,15 @@ def when(asking: Asking) -> Moment:
     """When it was begun last."""
     deed = next((d for d in asking.deeds() if d.done or d.going_on), None)
     return Moment(asking.question, asking.asked, deed)
+
+
+@answers("extent")
+@answers("lasting")
+@answers("takes")
+def extent(asking: Asking) -> Extent:
+    """How far, or how long: of the newest that was done to its end."""
+    deed = next((deed for deed in asking.deeds() if deed.done), None)
+    return Extent(asking.question, deed)
 
 
 def _count(deed: Deed) -> int:

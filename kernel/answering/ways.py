@@ -9,6 +9,7 @@ from kernel.asking import Asking, answers
 from kernel.memory.explanation import Abilities, Allowed, Lessons, Taught
 from kernel.memory.inference import inferences
 from kernel.memory.lesson import Lesson, Operator
+from kernel.memory.meant import together
 from kernel.memory.recall import THINGS
 from kernel.memory.reply import Answer, Reply
 from kernel.net.graphlet import Graphlet
@@ -27,7 +28,7 @@ def knows_how(asking: Asking) -> Reply:
     return Answer(asking.question, "yes" if asking.ways_to(act) else "no")
 
 
-@answers("know_how", "how")
+@answers("know_how", "how", "howmany", "what")
 def how(asking: Asking) -> Reply:
     """The lessons that say how; or that it is a skill of the body."""
     act = asking.act
@@ -58,7 +59,7 @@ def means(asking: Asking) -> Reply:
 def happens(asking: Asking) -> Lessons:
     """What is done on the occasion: reactions and rules that such a fact would set off; for words said, what they
     mean."""
-    about = asking.question.about
+    about = together(asking.question.about)
     if (phrase := _said(about)) is not None:
         found = [lesson for lesson in asking.lessons if _is_called(lesson, phrase)]
         return Lessons(asking.question, tuple(found[::-1]))
@@ -130,6 +131,8 @@ def abilities(asking: Asking) -> Abilities:
 def allowed(asking: Asking) -> Reply:
     """A dry run finds whatever would forbid it, also a step of it; without an act, the prohibitions there are."""
     act = asking.act
+    if act is not None and asking.question.ask != "yesno":  # "what are you not allowed to touch"
+        return Lessons(asking.question, tuple(asking.about_acts(act, "ANTE", "ALLOW")))
     if act is None:
         forbidding = [lesson for lesson in reversed(asking.lessons) if lesson.prohibits]
         return Lessons(asking.question, tuple(forbidding))

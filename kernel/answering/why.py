@@ -16,6 +16,7 @@ STANDING: Final = frozenset(
 STOPPING: Final = frozenset(("stop", "halt"))
 
 
+@answers("why")
 @answers("did", "why")
 def why(asking: Asking) -> Reply:
     """The deed with what led to it; for what was never attempted, what would stand in its way.

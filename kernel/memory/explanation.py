@@ -107,6 +107,14 @@ class Moment:
 
 
 @dataclass(frozen=True, slots=True)
+class Extent:
+    """How far or how long something was done. deed: None where it was not, as far as the robot remembers."""
+
+    question: Question
+    deed: Deed | None = None
+
+
+@dataclass(frozen=True, slots=True)
 class Allowed:
     """Whether an act is allowed. trouble: what forbids it, or stands in its way otherwise."""
 
@@ -141,4 +149,6 @@ class Plan:
     trouble: Trouble | None = None
 
 
-Explanation = Because | Taught | Knowledge | Lessons | Abilities | Counted | Moment | Allowed | Plan
+Explanation = (
+    Because | Taught | Knowledge | Lessons | Abilities | Counted | Moment | Extent | Allowed | Plan
+)

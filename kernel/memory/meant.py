@@ -111,6 +111,23 @@ def description(graphlet: Graphlet, name: str) -> Graphlet:
     return Graphlet(tuple(term for term in graphlet if term.name in about), name)
 
 
+def together(graphlet: Graphlet) -> Graphlet:
+    """What hangs together with the main term of a net, be it only through the robot or the speaker: what was so on the
+    occasion that a question names besides does not."""
+    found, left = {graphlet.main}, list(graphlet)
+    while True:
+        linked = {other for term in left if term.name in found for _, other in term.links}
+        more = [t for t in left if t.name in found | linked or _said_of(t, found)]
+        if not more:
+            return Graphlet(tuple(term for term in graphlet if term.name in found), graphlet.main)
+        found |= {term.name for term in more} | linked
+        left = [term for term in left if term not in more]
+
+
+def _said_of(term: Term, found: set[str]) -> bool:
+    return term.kind != "act" and any(other in found for _, other in term.links)
+
+
 def affirmed(graphlet: Graphlet) -> Graphlet:
     """The same with its main term not denied."""
     return Graphlet(

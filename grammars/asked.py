@@ -1,0 +1,190 @@
+"""A clause as it is asked and as it is told: what somebody does, did, may do or is, drawn as a net.
+
+"Did Freddy tell you to lift it" and "what Freddy told you to lift" hold the same clause; what is asked for, and what of
+it is missing, is the business of `wanted.py`.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Final
+
+from grammars.alist import AList
+from grammars.build import Build, NoMeaningError
+from grammars.clauses import clause
+from grammars.topics import DEEDS, does_so
+from grammars.vocabulary import BORN
+
+YOU: Final = AList("np", (AList("pron", value="you"),))
+# What stands for a deed without naming it: "do", "do that".
+BLANK: Final = ("do_it", "do_that", "doing_it", "doing_that")
+DESCRIBING: Final = ("ako", "akos", "sub", "qual", "one")
+# What of a deed is asked, by the words that help its verb; "request": of the robot it would be a command.
+BOUND: Final = {
+    "able to": "know_how",
+    "allowed to": "allowed",
+    "permitted to": "allowed",
+    "supposed to": "allowed",
+    "meant to": "allowed",
+    "forbidden to": "allowed",
+}
+MODAL: Final = {"must": "allowed", "should": "allowed", "may": "allowed", "shall": "allowed"}
+
+
+@dataclass(frozen=True, slots=True)
+class Said:
+    """A clause drawn.
+
+    Attributes:
+        main: node of its predicate.
+        inner: of the act in which a thing may be missing: what somebody is told to do.
+        own: it is a deed of the robot's; its agent is left out.
+        past: it was. going: it is going on.
+        topic: what is asked of such a deed, by the verb that helps: whether it is allowed ...
+    """
+
+    main: str
+    inner: str = ""
+    own: bool = False
+    past: bool = False
+    going: bool = False
+    topic: str = ""
+
+
+def drawn(build: Build, asks: AList, agent: str = "") -> Said:
+    """Draw a clause.
+
+    Args:
+        build: the drawing.
+        asks: bracket with the clause's parts.
+        agent: node of its subject, where that is what is asked for.
+    """
+    denied = asks.has("neg") or asks.has("negq")
+    subject = asks.find("np")
+    if (exist := asks.find("exist")) is not None:
+        return Said(_existing(build, exist))
+    own = not agent and (subject is None or subject.slot("pron") == "you")
+    deed = asks.find(*DEEDS, *BLANK, "spoken", "instructing")
+    who = agent or ("" if own and deed is not None else build.thing(subject or YOU))
+    if (passive := asks.find("passive")) is not None:
+        if not any(asks.has(name) for name in ("was_q", "has_q", "modal_q")) and agent == "":
+            raise NoMeaningError(str(asks))  # "is this seat taken" tells of no deed
+        main = build.action(passive.first(*DEEDS))
+        build.sketch.link(main, "obj", who)
+        if (by := passive.find("np")) is not None:
+            build.sketch.link(main, "agt", build.thing(by, person=True))
+        return Said(_deny(build, main, denied), past=True)
+    if deed is not None:
+        return _deed(build, asks, who, own, denied)
+    if (ordered := asks.find("ordered_q")) is not None:
+        inner = _act(build, ordered, ordered.has("neg"))
+        who = build.oneself("you") if own else who
+        return Said(
+            _deny(build, build.add("act", "tell", dest=who, cmd=inner), denied),
+            inner,
+            topic="ordered",
+        )
+    if (commanding := asks.find("commanding")) is not None:
+        inner = _act(build, commanding, commanding.has("neg"))
+        main = build.add("act", "tell", agt=who, dest=build.oneself("you"), cmd=inner)
+        return Said(_deny(build, main, denied), inner, topic="ordered")
+    return Said(_deny(build, _state(build, asks, who), denied))
+
+
+def _deny(build: Build, node: str, denied: bool) -> str:
+    if denied:
+        build.sketch.change(node, negated=True)
+    return node
+
+
+def _act(build: Build, part: AList, denied: bool = False) -> str:
+    """The act that a bracket holds, or one without a word: "do"."""
+    if (spoken := part.find("spoken")) is not None:
+        verb = next((one.name for one in spoken if one.name in ("say", "tell", "ask")), "say")
+        act = build.add("act", verb)
+        if (hearer := spoken.find("hearer", "listener")) is not None and hearer.parts:
+            build.sketch.link(act, "dest", build.thing(hearer.find("np") or hearer, person=True))
+        return _deny(build, act, denied)
+    if (teaching := part.find("instructing")) is not None:
+        act = build.add("act", "teach", dest=build.oneself("you"))
+        if (taught := teaching.find(*DEEDS)) is not None:
+            build.sketch.link(act, "cmd", build.action(taught))
+        return _deny(build, act, denied)
+    found = part.find(*DEEDS)
+    if found is not None:
+        act = build.action(found)
+    else:
+        act = build.add("act", ref="that" if part.has("do_that") or part.has("doing_that") else "")
+    if found is not None and found.name == "did_it" and found.has("iobj"):
+        verb = min(build.sketch.terms[act].lex, default="")
+        if "GIVE" not in BORN.readings(verb):  # "gave you the key", not "moved you the key"
+            raise NoMeaningError(str(found))
+    return _deny(build, act, denied)
+
+
+def _deed(build: Build, asks: AList, who: str, own: bool, denied: bool) -> Said:
+    """What somebody does, did, may do or is about to do."""
+    act = _act(build, asks, denied)
+    modal, bound = asks.slot("modal_q"), asks.slot("bound")
+    past = any(asks.has(name) for name in ("past_q", "has_q", "was_q", "did_it", "said_it"))
+    going = asks.has("gerunding") or asks.has("doing_it") or asks.has("doing_that")
+    if who:
+        build.sketch.link(act, "agt", who)
+        _somebody(build, asks, bound)
+    topic = BOUND.get(bound, "doing") if bound else MODAL.get(modal, "request") if modal else ""
+    return Said(act, act, own, past and not bound, going and not past, topic)
+
+
+def _somebody(build: Build, asks: AList, bound: str) -> None:
+    """Of whom it says what is allowed, or repeats what was said, the robot knows: others are not its business."""
+    subject = asks.find("np") or YOU
+    known = subject.has("name") or subject.has("pron") or subject.has("vague")
+    thing = bool(bound) and subject.slot("pron") == "it"
+    if (bound or asks.has("spoken")) and (not known or thing):
+        raise NoMeaningError(str(asks))
+
+
+def _state(build: Build, asks: AList, who: str) -> str:
+    """What somebody or something is, has or does all the time."""
+    if (pred := asks.find("pred")) is not None:
+        return build.predicate(who, pred, negated=False)
+    if (topmost := asks.find("topmost")) is not None:
+        hq = build.quality(who, topmost)
+        if (mark := topmost.find("np")) is not None:
+            build.add("loc", "to", loc=hq, wrt=build.aside(mark))
+        return hq
+    if (qual := asks.find("qual")) is not None:
+        return build.quality(who, qual)
+    if (does := asks.find("does_q")) is not None:
+        if does.value == "have" or (len(does.parts) == 1 and does.slot("state") == "have"):
+            return build.add("act", "have", agt=who)
+        if does.slot("state") == "know" and does.has("dest"):  # "know where it is"
+            raise NoMeaningError(str(does))
+        return does_so(build, does, who)
+    if asks.has("habit") or asks.has("habit_s"):
+        return clause(build, AList("q", tuple(asks.all("habit", "habit_s"))), who)
+    if (owned := asks.find("owned")) is not None:
+        counted = owned.find("counted")
+        thing = build.thing(
+            owned.first("np") if counted is None else AList("np", counted.parts[1:])
+        )
+        if counted is not None:
+            build.add("cnt", literal=counted.slot("num"), cnt=thing)
+        return build.add("act", "have", agt=who, obj=thing)
+    if (been := asks.find("been_to")) is not None:
+        there = build.add("loc", loc=who)
+        if (np := been.find("np", "name")) is not None:
+            build.sketch.link(there, "wrt", build.aside(np if np.name == "np" else been))
+            build.sketch.change(there, lex=frozenset(("in",)))
+        return there
+    raise NoMeaningError(str(asks))
+
+
+def _existing(build: Build, exist: AList) -> str:
+    """ "There is a cup on the table", "there are two boxes"."""
+    np = exist.find("np") or AList("np", tuple(part for part in exist if part.name in DESCRIBING))
+    thing = build.thing(np)
+    if number := exist.slot("num"):
+        build.add("cnt", literal=number, cnt=thing)
+    pred = exist.find("pred")
+    return thing if pred is None else build.predicate(thing, pred, negated=False)

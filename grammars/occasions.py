@@ -1,0 +1,49 @@
+"""Questions about what was so, or would be, on some occasion: "did you stop when I told you to", "what should you say
+when somebody sneezes".
+"""
+
+from __future__ import annotations
+
+from typing import Final
+
+from grammars.alist import AList
+from grammars.asked import drawn
+from grammars.build import Build, NoMeaningError
+from grammars.clauses import stated
+from kernel.memory.meaning import Ask, Question
+from kernel.net.graphlet import Graphlet
+
+PAST: Final = ("past_q", "has_q", "was_q", "pred", "gerunding")
+_ME: Final = AList("np", (AList("pron", value="me"),))
+
+
+def occasional(build: Build, body: AList) -> Question:
+    """ "What should you say when somebody sneezes": what happens then."""
+    asks = body.first("asks")
+    so = drawn(build, asks)
+    if so.past or not so.own:
+        raise NoMeaningError(str(body))
+    if (conds := body.find("conds")) is not None:
+        main = stated(build, conds).main
+    else:
+        txt = build.add("txt", literal=body.slot("quote"))
+        main = build.add("act", "say", agt=build.oneself("me"), obj=txt)
+    ask: Ask = "what" if body.has("wh") or body.has("wh_adv") else "yesno"
+    return Question(ask, build.graphlet(main), "", "happens")
+
+
+def on_occasion(build: Build, about: Graphlet, body: AList, occasion: AList) -> Graphlet:
+    """What is asked about, with what was so on that occasion: "where did you go when I told you to turn"."""
+    asked = body.find("asks")
+    if asked is not None and not any(
+        asked.has(name) for name in PAST
+    ):  # else it is what happens then
+        raise NoMeaningError(str(occasion))
+    if occasion.has("quote"):
+        build.add("act", "say", obj=build.add("txt", literal=occasion.slot("quote")))
+    elif (asks := occasion.find("asks")) is not None:
+        drawn(build, asks)
+    else:
+        teller = build.thing(occasion.find("np") or _ME, person=True)
+        build.add("act", "tell", agt=teller, dest=build.oneself("you"))
+    return build.graphlet(about.main)
