@@ -29,7 +29,7 @@ from daemon.hearing.events import Heard, HearingEvent, NotHeard, StopWord
 from daemon.hearing.recogniser import RATE_HZ, engines
 from daemon.hearing.transcribe import Transcriber
 from grammars.errors import NotUnderstoodError
-from grammars.finite_state import automaton
+from grammars.heard import automaton
 from grammars.normalise import pieces
 from grammars.parse import parse
 from grammars.vocabulary import BORN, Vocabulary

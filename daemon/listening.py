@@ -17,7 +17,7 @@ from daemon.hearing.events import HearingEvent
 from daemon.hearing.recogniser import RATE_HZ, EngineError, Samples
 from daemon.hearing.recogniser_process import PATIENCE_S
 from daemon.understanding import understand
-from grammars.finite_state import automaton
+from grammars.heard import automaton
 from grammars.vocabulary import Vocabulary
 from kernel.memory.meaning import Utterance
 from kernel.memory.reply import AskKeep, AskWhich

@@ -13,7 +13,7 @@ from daemon.hearing.events import Heard, HearingEvent, NotHeard
 from daemon.hearing.recogniser import RATE_HZ
 from daemon.hearing.transcribe import Transcriber
 from daemon.understanding import understand
-from grammars.finite_state import automaton
+from grammars.heard import automaton
 from grammars.vocabulary import Vocabulary
 from kernel.memory.meaning import Utterance
 from kernel.memory.reply import AskKeep, AskWhich

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import random
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 
 LONGEST_SAMPLE = 12
@@ -19,11 +19,13 @@ class Automaton:
         start: the state it begins in.
         finals: the states it may end in.
         arcs: (from, word, to), sorted.
+        typical: sentences of the language that people say, for who weighs what is likely.
     """
 
     start: int
     finals: frozenset[int]
     arcs: tuple[tuple[int, str, int], ...]
+    typical: tuple[str, ...] = ()
 
     @cached_property
     def moves(self) -> Mapping[int, Mapping[str, frozenset[int]]]:
@@ -60,7 +62,8 @@ class Automaton:
 def restrict(automaton: Automaton, words: frozenset[str]) -> Automaton:
     """The sentences that need no other words than these."""
     arcs = tuple(arc for arc in automaton.arcs if arc[1] in words)
-    return useful(Automaton(automaton.start, automaton.finals, arcs))
+    typical = tuple(said for said in automaton.typical if words.issuperset(said.split()))
+    return useful(replace(automaton, arcs=arcs, typical=typical))
 
 
 def sample(automaton: Automaton, count: int, chance: random.Random) -> list[str]:
@@ -160,7 +163,7 @@ def useful(automaton: Automaton) -> Automaton:
     kept = reached([automaton.start], onward) & reached(automaton.finals, back)
     arcs = tuple(arc for arc in automaton.arcs if arc[0] in kept and arc[2] in kept)
     finals = frozenset(automaton.finals & kept)
-    return renumbered(Automaton(automaton.start, finals, arcs))
+    return renumbered(replace(automaton, finals=finals, arcs=arcs))
 
 
 def renumbered(automaton: Automaton) -> Automaton:
@@ -176,4 +179,5 @@ def renumbered(automaton: Automaton) -> Automaton:
                 numbers[target] = len(numbers)
                 left.append(target)
     arcs = sorted((numbers[source], word, numbers[to]) for source, word, to in automaton.arcs)
-    return Automaton(0, frozenset(numbers[state] for state in automaton.finals), tuple(arcs))
+    finals = frozenset(numbers[state] for state in automaton.finals)
+    return replace(automaton, start=0, finals=finals, arcs=tuple(arcs))

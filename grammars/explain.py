@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from grammars.parse import grammar
 from grammars.reading import Parsed
 
 
@@ -14,8 +15,9 @@ def explain(parsed: Parsed) -> Iterator[str]:
     """Lines: what was repaired, the readings that mean something, best first, and why the first won."""
     for typed, meant in parsed.repaired:
         yield f"typo: {typed!r} taken for {meant!r}"
-    ranks = [sum(cost for cost, _ in charges) for charges in parsed.charges]
-    readings = zip((parsed.alist, *parsed.others), parsed.charges, ranks, strict=True)
+    charged = [list(tree.charges(grammar().cost)) for tree in parsed.trees]
+    ranks = [sum(cost for cost, _ in charges) for charges in charged]
+    readings = zip((parsed.alist, *parsed.others), charged, ranks, strict=True)
     for place, (alist, charges, rank) in enumerate(readings, start=1):
         told = "; ".join(f"{what} {cost:+d}" for cost, what in charges)
         yield f"{place}. cost {rank}" + (f" = {told}" if told else "")

@@ -11,16 +11,10 @@ parser decides what may act.
 
 from __future__ import annotations
 
-import random
-import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from functools import cache
-from importlib.resources import files
+from dataclasses import replace
 
-from grammars import morphology
-from grammars.automaton import Automaton, renumbered, sample, useful
-from grammars.parse import grammar
-from grammars.vocabulary import BORN, Vocabulary, lines
+from grammars.automaton import Automaton, renumbered, useful
 
 MAX_DEPTH = 0
 """How often a rule may stand inside itself, other than at its beginning or end ("the block next to the ball next to
@@ -33,78 +27,17 @@ SHORT_FORMS = {
     ("it", "is"): "it's",
     ("should", "not"): "shouldn't",
     ("must", "not"): "mustn't",
+    ("can", "not"): "can't",
+    ("is", "not"): "isn't",
+    ("what", "is"): "what's",
+    ("where", "is"): "where's",
+    ("that", "is"): "that's",
 }
+POSSESSIVE = "'s"
 """What the parser reads as two words and people say as one."""
-
 
 Rule = tuple[str, tuple[str, ...]]
 """A name, and what may be written for it. What no rule is named after is a terminal."""
-
-
-def automaton(vocabulary: Vocabulary = BORN) -> Automaton:
-    """What may be said by someone who has taught these words."""
-    return expand(skeleton(), spoken_words(vocabulary))
-
-
-def phrases(vocabulary: Vocabulary, count: int, seed: int) -> list[str]:
-    """Sentences that may be heard, drawn at random; the same seed draws the same ones."""
-    return sample(automaton(vocabulary), count, random.Random(seed))
-
-
-@cache
-def skeleton() -> Automaton:
-    """The language with categories in the place of their words, compiled once."""
-    rules = heard_rules(spoken_rules(), files("grammars").joinpath("heard.lark").read_text("utf8"))
-    return compile_rules(rules, "start")
-
-
-def spoken_rules() -> list[Rule]:
-    """The parser's rules; words written out in them stand in quotation marks, which tells them from rules."""
-    words = {name: f'"{word}"' for word, name in grammar().literal.items()}
-    return [
-        (
-            rule.origin.name,
-            tuple(words.get(s.name, s.name) if s.is_term else s.name for s in rule.expansion),
-        )
-        for rule in grammar().rules
-    ]
-
-
-def heard_rules(rules: Iterable[Rule], text: str) -> list[Rule]:
-    """The rules with some replaced by those of a text in lark's notation: names, quoted words, bars, nothing else."""
-    replaced: list[Rule] = []
-    plain = re.sub(r"//.*", "", text)
-    for found in re.finditer(r"(\w+):((?:(?!\w+:)[\s\S])*)", plain):
-        replaced += [(found[1], tuple(way.split())) for way in found[2].split("|")]
-    origins = {origin for origin, _ in replaced}
-    return replaced + [rule for rule in rules if rule[0] not in origins]
-
-
-def spoken_words(vocabulary: Vocabulary) -> dict[str, tuple[str, ...]]:
-    """The words for each terminal: those the ears know at birth, and all that were taught."""
-    found: dict[str, dict[str, None]] = {}
-    for line in lines("heard"):
-        category, _, words = line.partition(":")
-        entries = words.split("|") if "|" in words or category == "QUOTED" else words.split()
-        found.setdefault(category, {}).update(dict.fromkeys(entry.strip() for entry in entries))
-    for category, plural in (("NOUN", "NOUNS"),):
-        found[plural] = dict.fromkeys(morphology.plural(word) for word in found[category])
-    for word, readings in vocabulary.taught.items():
-        for category in readings:
-            found.setdefault(category, {})[word] = None
-    return {category: tuple(words) for category, words in found.items()}
-
-
-def compile_rules(rules: Iterable[Rule], start: str, max_depth: int = MAX_DEPTH) -> Automaton:
-    """Compile rules into a minimal automaton whose words are the terminals.
-
-    Raises:
-        KeyError: no rule is named start.
-    """
-    compiler = _Compiler(rules, max_depth)
-    if start not in compiler.rules:
-        raise KeyError(start)
-    return compiler.compiled(start, ())
 
 
 def expand(skeleton: Automaton, words: Mapping[str, Sequence[str]]) -> Automaton:
@@ -123,26 +56,28 @@ def expand(skeleton: Automaton, words: Mapping[str, Sequence[str]]) -> Automaton
                 arcs.add((state, word, fresh))
                 state, fresh = fresh, fresh + 1
             arcs.add((state, last, target))
-    arcs |= set(_short_forms(arcs))
-    return useful(Automaton(skeleton.start, skeleton.finals, tuple(sorted(arcs))))
+    spoken = {*_short_forms(arcs), *(arc for arc in arcs if arc[1] != POSSESSIVE)}
+    return useful(replace(skeleton, arcs=tuple(sorted(spoken))))
 
 
 def _short_forms(arcs: Iterable[tuple[int, str, int]]) -> Iterator[tuple[int, str, int]]:
-    firsts = {first for first, _ in SHORT_FORMS}
+    seconds = {POSSESSIVE, *(second for _, second in SHORT_FORMS)}
     onward: dict[int, list[tuple[str, int]]] = {}
     for source, word, target in arcs:
-        onward.setdefault(source, []).append((word, target))
+        if word in seconds:
+            onward.setdefault(source, []).append((word, target))
     for source, first, middle in arcs:
-        if first in firsts:
-            for second, target in onward.get(middle, ()):
-                if short := SHORT_FORMS.get((first, second)):
-                    yield source, short, target
+        for second, target in onward.get(middle, ()):
+            if second == POSSESSIVE:
+                yield source, first + POSSESSIVE, target
+            elif short := SHORT_FORMS.get((first, second)):
+                yield source, short, target
 
 
-class _Compiler:
+class Compiler:
     """Compiles each rule once for each set of rules it stands inside of."""
 
-    def __init__(self, rules: Iterable[Rule], max_depth: int) -> None:
+    def __init__(self, rules: Iterable[Rule], max_depth: int = MAX_DEPTH) -> None:
         self.rules: dict[str, list[tuple[str, ...]]] = {}
         for origin, symbols in rules:
             self.rules.setdefault(origin, []).append(symbols)
@@ -152,8 +87,12 @@ class _Compiler:
             {origin: {s for way in ways for s in way} for origin, ways in self.rules.items()}
         )
 
-    def compiled(self, origin: str, inside: tuple[str, ...]) -> Automaton:
-        """The automaton of a rule that stands inside these."""
+    def compiled(self, origin: str, inside: tuple[str, ...] = ()) -> Automaton:
+        """The minimal automaton of a rule that stands inside these; its words are the terminals.
+
+        Raises:
+            KeyError: there is no such rule.
+        """
         relevant = tuple(sorted(rule for rule in inside if rule in self._reach[origin]))
         key = (origin, relevant)
         if key not in self._made:

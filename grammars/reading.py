@@ -13,7 +13,7 @@ from grammars.build import NoMeaningError
 from grammars.lattice import Lexer, Token, variants
 from grammars.nearest import near_words
 from grammars.normalise import Piece
-from grammars.ranking import Charge, Ranking, Tree, to_alist
+from grammars.ranking import Ranking, Tree, to_alist
 from grammars.registry import discover
 from kernel.memory.meaning import Meaning
 
@@ -83,7 +83,7 @@ class Parsed:
         repaired: (as typed, as taken) for each typo.
         alternatives: number of readings found.
         others: association lists of the other readings, best first.
-        charges: of this reading and of the others: what each rule and word cost, which is what ranked them.
+        trees: derivations of this reading and of the others.
         taught: the word which the sentence, an answer, tells to be something to do.
     """
 
@@ -96,7 +96,7 @@ class Parsed:
     alternatives: int = 1
     others: tuple[AList, ...] = ()
     taught: str = ""
-    charges: tuple[tuple[Charge, ...], ...] = ()
+    trees: tuple[Tree, ...] = field(default=(), repr=False)
 
 
 @dataclass
@@ -160,7 +160,6 @@ class Reader:
         ]
         for alist, tree, kind, meaning in made[:1]:
             others = tuple(other for other, *_ in made[1:])
-            charges = tuple(tuple(tree.charges(self.cost)) for _, tree, *_ in made)
             yield Parsed(
                 self.text,
                 kind,
@@ -170,7 +169,7 @@ class Reader:
                 repaired,
                 len(made),
                 others,
-                charges=charges,
+                trees=tuple(tree for _, tree, *_ in made),
             )
 
     def swallows(self, tree: Tree) -> bool:

@@ -1,17 +1,19 @@
-"""Compile the grammar ahead of time: run this after changing a .lark file, a form or words/phrases.txt."""
+"""Compile the grammar and what is heard of it ahead of time: run this after changing a .lark file, a form or one of words/."""
 
 from __future__ import annotations
 
 import json
 from pathlib import Path
 
-from grammars.parse import COMPILED, compile_grammar
+from grammars import heard, parse
 
 
 def main() -> None:
-    """Write `grammars/grammar.json`."""
-    target = Path(__file__).parent.parent / "grammars" / COMPILED
-    target.write_text(json.dumps(compile_grammar(), separators=(",", ":")) + "\n", encoding="utf8")
+    """Write `grammars/grammar.json` and `grammars/heard.json`."""
+    folder = Path(__file__).parent.parent / "grammars"
+    for name, make in ((parse.COMPILED, parse.compile_grammar), (heard.COMPILED, heard.compile_heard)):
+        text = json.dumps(make(), separators=(",", ":"))
+        folder.joinpath(name).write_text(text + "\n", encoding="utf8")
 
 
 if __name__ == "__main__":

@@ -12,7 +12,7 @@ from pathlib import Path
 from typing import Final
 
 from grammars.automaton import Automaton
-from grammars.finite_state import automaton, heard_rules
+from grammars.heard import automaton, heard_rules
 from grammars.parse import parse
 from grammars.registry import Form, discover
 from grammars.render import render

@@ -7,7 +7,7 @@ from functools import cached_property
 from typing import Final
 
 from grammars.automaton import Automaton
-from grammars.finite_state import automaton
+from grammars.heard import automaton
 from grammars.vocabulary import Vocabulary
 
 COMMANDS: Final = ("/forget", "/help", "/lessons", "/quit", "/speaker", "/stop")

@@ -24,6 +24,10 @@ UNKNOWN = "[unk]"
 UNKNOWN_SHARE = 20
 """One [unk] for so many phrases: with a single one, its share of the bigram vanishes as the list grows."""
 
+TYPICAL = 40
+"""How often a sentence that people say is put among the phrases, each of which holds a pair of words for the first
+time: of 345 sentences in voices that were not shipped 3 were wrong so, 5 at 10 times, 4 at 150, 12 without them."""
+
 DOUBT = {"a": 2.0, "and": 2.0}
 """Cost in nats of words the model likes too much: "grab the" came out as "grab a" in 4 of 5 voices, "then" as "and" in
 one; with these costs 6 of 98 sentences with such words were wrong, with less more, with more others."""
@@ -99,7 +103,7 @@ class VoskRecogniser:
             " ".join(parts_of.get(word, word) for word in phrase.split())
             if not parts_of.keys().isdisjoint(phrase.split())
             else phrase
-            for phrase in cover(self._language)
+            for phrase in cover(self._language) + list(self._language.typical) * TYPICAL
         ]
         grammar = phrases + [UNKNOWN] * (1 + len(phrases) // UNKNOWN_SHARE)
         self._recogniser = vosk.KaldiRecognizer(self._model, float(RATE_HZ), json.dumps(grammar))

@@ -14,7 +14,7 @@ EXAMPLES = (
     "no raise the lift instead",
     "when you cha-cha drive backwards first",
     "when you cha-cha say thank you at the end",
-    "Actually, drive forward 5 inches instead of 10.",
+    "Actually, drive forward five inches instead of ten.",
     "not the red one the blue one",
     "you should say good evening instead of good day",
     "turn right instead of turning left",

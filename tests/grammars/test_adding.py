@@ -13,7 +13,7 @@ from pathlib import Path
 import pytest
 
 from grammars.errors import NotUnderstoodError
-from grammars.finite_state import automaton
+from grammars.heard import automaton
 from grammars.parse import parse
 
 ROOT = Path(__file__).parents[2]
@@ -81,7 +81,7 @@ def test_the_form_is_in_the_compiled_grammar(copy: Path) -> None:
 
 def test_the_ears_listen_for_it(copy: Path) -> None:
     listening = (
-        "import sys; from grammars.finite_state import automaton;"
+        "import sys; from grammars.heard import automaton;"
         "print(automaton().accepts(sys.argv[1].split()))"
     )
     assert python(copy, "-c", listening, SAID).strip() == "True"

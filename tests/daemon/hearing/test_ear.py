@@ -12,7 +12,7 @@ from daemon.hearing.choice import Engine, choose_engine
 from daemon.hearing.ear import MOST_BLOCKS, Ear, play
 from daemon.hearing.events import Heard, HearingEvent, NotHeard, Partial
 from daemon.hearing.recogniser import UnknownEngineError
-from grammars.finite_state import automaton
+from grammars.heard import automaton
 
 SPEECH = Path(__file__).parents[2] / "audio" / "hearing" / "flite-slt"
 LANGUAGE = automaton()

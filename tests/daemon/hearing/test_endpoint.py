@@ -12,7 +12,7 @@ from daemon.hearing.endpoint import (
     is_unfinished,
     wait_s,
 )
-from grammars.finite_state import automaton
+from grammars.heard import automaton
 
 LANGUAGE = automaton()
 

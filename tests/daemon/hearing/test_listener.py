@@ -12,7 +12,7 @@ from daemon.hearing import recording
 from daemon.hearing.events import CoreEvent, Ended
 from daemon.hearing.listener import Listener
 from daemon.hearing.recogniser import RATE_HZ, Samples, load
-from grammars.finite_state import automaton
+from grammars.heard import automaton
 
 SPEECH = Path(__file__).parents[2] / "audio" / "hearing" / "flite-slt"
 LANGUAGE = automaton()

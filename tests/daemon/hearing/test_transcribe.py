@@ -15,7 +15,7 @@ from daemon.hearing.choice import Engine
 from daemon.hearing.events import Heard, HearingEvent, NotHeard, Partial, StopWord
 from daemon.hearing.recogniser import EngineError, Samples
 from daemon.hearing.transcribe import Transcriber, transcribe
-from grammars.finite_state import automaton
+from grammars.heard import automaton
 
 SPEECH = Path(__file__).parents[2] / "audio" / "hearing" / "flite-slt"
 LANGUAGE = automaton()
