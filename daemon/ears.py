@@ -109,7 +109,7 @@ class Ears:
                 engine = choose_engine(self._hearing.engine, self._hearing.model, model_folders())
                 self._known = self._cycle.vocabulary
                 self._listening = Listening(
-                    engine, self._known, self._from_the_ear, lambda: self._cycle.mind.expecting
+                    engine, self._known, self._from_the_ear, lambda: self._cycle.expecting
                 )
             await self._listening.ready()
             self.refresh()

@@ -17,6 +17,7 @@ from daemon.hearing.events import HearingEvent
 from daemon.hearing.recogniser import RATE_HZ, EngineError, Samples
 from daemon.hearing.recogniser_process import PATIENCE_S
 from daemon.understanding import understand
+from grammars.asking import AskWord
 from grammars.heard import automaton
 from grammars.vocabulary import Vocabulary
 from kernel.memory.meaning import Utterance
@@ -47,7 +48,7 @@ class Listening:
         engine: Engine,
         vocabulary: Vocabulary,
         perceive: Callable[[HearingEvent], None],
-        expecting: Callable[[], AskWhich | AskKeep | None],
+        expecting: Callable[[], AskWhich | AskKeep | AskWord | None],
     ) -> None:
         self._expecting = expecting
         self._engine, self._vocabulary, self._perceive = engine, vocabulary, perceive

@@ -93,7 +93,7 @@ class Stage(Closing):
             EngineError: the recogniser cannot be used.
         """
         cycle = self._parts.cycle
-        recorded = self._recogniser().hear(path, cycle.vocabulary, cycle.mind.expecting)
+        recorded = self._recogniser().hear(path, cycle.vocabulary, cycle.expecting)
         for known_s, event in recorded.events:
             self.at(self.now_s + known_s, partial(self._heard, event))
         silent = partial(cycle.unclear, "", "noise")

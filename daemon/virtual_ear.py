@@ -13,6 +13,7 @@ from daemon.hearing.events import Heard, HearingEvent, NotHeard
 from daemon.hearing.recogniser import RATE_HZ
 from daemon.hearing.transcribe import Transcriber
 from daemon.understanding import understand
+from grammars.asking import AskWord
 from grammars.heard import automaton
 from grammars.vocabulary import Vocabulary
 from kernel.memory.meaning import Utterance
@@ -51,7 +52,10 @@ class VirtualEar(Closing):
         return self._engine.name
 
     def hear(
-        self, path: Path, vocabulary: Vocabulary, expecting: AskWhich | AskKeep | None = None
+        self,
+        path: Path,
+        vocabulary: Vocabulary,
+        expecting: AskWhich | AskKeep | AskWord | None = None,
     ) -> Recorded:
         """Hear a recording, knowing these words and the robot's open question.
 

@@ -99,6 +99,14 @@ class Compiler:
             self._made[key] = self._compile(origin, relevant)
         return self._made[key]
 
+    def sequence(self, symbols: Sequence[str]) -> Automaton:
+        """The minimal automaton of symbols in a row."""
+        draft, state = _Draft(), 0
+        for symbol in symbols:
+            state = self._append(draft, state, symbol, ())
+        draft.skip(state, 1)
+        return draft.finished(0, 1)
+
     def _compile(self, origin: str, inside: tuple[str, ...]) -> Automaton:
         """States 0 and 1 are the ends; a way that begins or ends with its own origin loops at that end."""
         draft = _Draft()

@@ -1,8 +1,8 @@
 """What of the language the ears are told: of every form, sentences like its examples and those of `heard.lark`.
 
 The whole language would be too much to be told apart. So phrases (things, actions, conditions) are the smaller ones of
-`heard.lark`; an example is heard with any of these in the place of its own, and with any word the ears know in the place
-of a word of the same category.
+`heard.lark`; an example is heard with any of these in the place of its own, and with any word the ears know in the
+place of a word of the same category.
 
 An example is besides what people say, word for word: a recogniser that weighs what is likely is told so.
 """
@@ -12,8 +12,7 @@ from __future__ import annotations
 import json
 import random
 import re
-from collections.abc import Iterable, Iterator, Mapping
-from dataclasses import replace
+from collections.abc import Iterator, Mapping, Sequence
 from functools import cache
 from hashlib import sha256
 from importlib.resources import files
@@ -21,17 +20,28 @@ from typing import Any, Final
 
 from grammars import morphology
 from grammars.automaton import Automaton, sample
+from grammars.chatter import is_chatter
+from grammars.errors import NotUnderstoodError
 from grammars.finite_state import Compiler, Rule, expand
 from grammars.parse import grammar, parse
 from grammars.ranking import Leaf, Tree
 from grammars.registry import Form, discover
-from grammars.source import grammar_text
+from grammars.source import grammar_text, set_categories
 from grammars.vocabulary import BORN, Vocabulary, lines
 
 COMPILED: Final = "heard.json"
 START: Final = "start"
 QUOTE: Final = "quote"
 SILENT: Final = frozenset(("_COMMA",))  # terminals that make no sound
+DRAWN: Final = 10  # sentences like an example that must be read as it is
+# "The ball is red" is a fact, "a ball is red" a rule, "anything is red" neither: what something is said of is known.
+KNOWN: Final = "_known"
+BEING: Final = frozenset(("is", "are", "was", "has"))
+# A sentence may be of another sort with "anybody" in the place of "Mary", or with another condition.
+THINGS: Final = frozenset(("np", "_np", "_described", "_definite", "_one", "_det"))
+CLAUSES: Final = frozenset(
+    ("conds", "clause", "pred", "conclusion", "act", "_nominal", "_plural_nominal")
+)
 
 
 def automaton(vocabulary: Vocabulary = BORN) -> Automaton:
@@ -83,15 +93,16 @@ def said(sentence: str) -> str:
     return " ".join(re.findall(r"[\w'-]+", sentence.lower()))
 
 
-def heard_rules() -> list[Rule]:
+@cache
+def heard_rules() -> tuple[Rule, ...]:
     """Every rule of what is heard: those of `heard.lark`, the examples, and of all others the parser's own."""
     rules = [*stand_ins()]
-    replaced = {origin for origin, _ in rules}
+    replaced = frozenset(origin for origin, _ in rules)
     rules += [rule for rule in parser_rules() if rule[0] not in replaced]
     forms = [form for form in discover().values() if not form.expected]
     like = _LikeExamples(rules, replaced - discover().keys())
     rules += [rule for form in forms for rule in like.rules(form)]
-    return rules + [("_form", (form.name,)) for form in forms]
+    return (*rules, *(("_form", (form.name,)) for form in forms))
 
 
 def stand_ins() -> Iterator[Rule]:
@@ -113,40 +124,61 @@ def parser_rules() -> Iterator[Rule]:
 
 
 class _LikeExamples:
-    """Turns examples into rules.
+    """Turns examples into rules, as wide as they may be: what is heard must be read as what it is like.
 
     Args:
         rules: without those of examples.
         shared: names of rules that stand for phrases; the words of an example that such a rule has may be any of it.
     """
 
-    def __init__(self, rules: Iterable[Rule], shared: frozenset[str] | set[str]) -> None:
-        self._compiler, self._shared = Compiler(rules), shared
-        self._words = spoken_words(BORN)
+    def __init__(self, rules: Sequence[Rule], shared: frozenset[str]) -> None:
+        self._compiler, self._words = Compiler(rules), spoken_words(BORN)
+        self._widths = (shared, shared - THINGS, shared - THINGS - CLAUSES)
 
     def rules(self, form: Form) -> Iterator[Rule]:
-        """A rule for each example."""
+        """A rule for each example that means the same without its commas."""
         for example in form.examples:
             tree = next(_sentences(parse(example).trees[0], form.name))
-            symbols: list[str] = []
-            for child in tree.children:
-                self._add(child, symbols)
-            yield form.name, tuple(symbols)
+            ways = [tuple(self._symbols(tree, shared)) for shared in self._widths]
+            ways.append(tuple(f'"{word}"' for word in said(example).split()))
+            if way := next((way for way in ways if self._is_read(way, form)), ()):
+                yield form.name, way
 
-    def _add(self, node: Tree | Leaf, symbols: list[str]) -> None:
-        """Append a node's symbols. Two things in a row stay as they are: any name after any name would be a million
-        pairs."""
+    def _is_read(self, way: tuple[str, ...], form: Form) -> bool:
+        """Sentences drawn from it are of that form."""
+        language = expand(self._compiler.sequence(way), self._words)
+        return bool(language.arcs) and all(
+            is_chatter(tuple(sentence.split())) or _kind(sentence) == form.kind
+            for sentence in sample(language, DRAWN, random.Random(1))
+        )
+
+    def _symbols(self, sentence: Tree, shared: frozenset[str]) -> list[str]:
+        symbols: list[str] = []
+        self._add_all(sentence, symbols, shared, "")
+        return symbols
+
+    def _add_all(self, node: Tree, symbols: list[str], shared: frozenset[str], then: str) -> None:
+        following = [*(_first_word(child) for child in node.children[1:]), then]
+        for child, after in zip(node.children, following, strict=True):
+            self._add(child, symbols, shared, after)
+
+    def _add(
+        self, node: Tree | Leaf, symbols: list[str], shared: frozenset[str], then: str
+    ) -> None:
+        """Append a node's symbols; the word then comes after it."""
         if not isinstance(node, Tree):
             if (word := self._terminal(node)) not in SILENT:
                 symbols.append(word)
             return
         name = str(node.rule.origin.name)
-        if name == QUOTE or (name in self._shared and self._has(name, node)):
-            if not (symbols and self._is_name(symbols[-1]) and self._is_name(name)):
-                symbols.append(name)
-                return
-        for child in node.children:
-            self._add(child, symbols)
+        if name in THINGS and then in BEING:
+            name = KNOWN
+        # Any name after any name would be a million pairs.
+        second = bool(symbols) and self._is_name(symbols[-1]) and self._is_name(name)
+        if not second and (name == QUOTE or (name in shared and self._has(name, node))):
+            symbols.append(name)
+        else:
+            self._add_all(node, symbols, shared, then)
 
     def _has(self, name: str, phrase: Tree) -> bool:
         words = [self._terminal(leaf) for leaf in phrase.leaves()]
@@ -154,15 +186,31 @@ class _LikeExamples:
 
     def _is_name(self, symbol: str) -> bool:
         """A name alone may be said for it."""
-        return symbol in self._shared and self._compiler.compiled(symbol).accepts(["PROPER"])
+        return symbol in self._compiler.rules and self._compiler.compiled(symbol).accepts(
+            ["PROPER"]
+        )
 
     def _terminal(self, leaf: Leaf) -> str:
         """The category of a word; the word itself where the ears know other words of that category only."""
         name, token = leaf
-        if name == "VERB" and token.piece.text in self._words["HANDLING"]:
+        word = token.piece.text
+        if name == "VERB" and word in self._words["HANDLING"]:
             return "HANDLING"
-        known = name in _literals() or token.piece.kind != "word" or name in SILENT
-        return _written(name) if known or token.piece.text in self._words.get(name, ()) else f'"{token.piece.text}"'
+        if name in _literals() or token.piece.kind != "word" or word in self._words.get(name, ()):
+            return _written(name)
+        return f'"{word}"'
+
+
+def _first_word(node: Tree | Leaf) -> str:
+    leaf = next(node.leaves()) if isinstance(node, Tree) else node
+    return leaf[1].piece.text
+
+
+def _kind(sentence: str) -> str:
+    try:
+        return parse(sentence).kind
+    except NotUnderstoodError:
+        return ""
 
 
 def _sentences(tree: Tree, form: str) -> Iterator[Tree]:
@@ -176,7 +224,7 @@ def _sentences(tree: Tree, form: str) -> Iterator[Tree]:
 
 def _written(name: str) -> str:
     """A word that is written out in a rule instead of the name lark gives it; any other symbol as it is."""
-    word = _literals().get(name)
+    word = None if name in set_categories() else _literals().get(name)
     return name if word is None else f'"{word}"'
 
 

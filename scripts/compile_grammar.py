@@ -1,4 +1,4 @@
-"""Compile the grammar and what is heard of it ahead of time: run this after changing a .lark file, a form or one of words/."""
+"""Compile the grammar and what is heard of it: run this after changing a .lark file, a form or a file of words/."""
 
 from __future__ import annotations
 
@@ -11,7 +11,10 @@ from grammars import heard, parse
 def main() -> None:
     """Write `grammars/grammar.json` and `grammars/heard.json`."""
     folder = Path(__file__).parent.parent / "grammars"
-    for name, make in ((parse.COMPILED, parse.compile_grammar), (heard.COMPILED, heard.compile_heard)):
+    for name, make in (
+        (parse.COMPILED, parse.compile_grammar),
+        (heard.COMPILED, heard.compile_heard),
+    ):
         text = json.dumps(make(), separators=(",", ":"))
         folder.joinpath(name).write_text(text + "\n", encoding="utf8")
 

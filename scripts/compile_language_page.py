@@ -3,16 +3,14 @@ or what may be heard."""
 
 from __future__ import annotations
 
-import re
 import sys
 from collections.abc import Iterable, Iterator
 from functools import cache
-from importlib.resources import files
 from pathlib import Path
 from typing import Final
 
 from grammars.automaton import Automaton
-from grammars.heard import automaton, heard_rules
+from grammars.heard import automaton, said
 from grammars.parse import parse
 from grammars.registry import Form, discover
 from grammars.render import render
@@ -82,25 +80,20 @@ def _listened_for() -> Automaton:
 
 
 def _is_heard(example: str) -> bool:
-    return _listened_for().accepts(re.findall(r"[\w'-]+", example.lower()))
+    return _listened_for().accepts(said(example).split())
 
 
 def _hearing(forms: Iterable[Form]) -> str:
-    """How much of each form the recognisers listen for: by the rule that lists them, and by the examples."""
-    text = files("grammars").joinpath("heard.lark").read_text("utf8")
-    listed = {symbol for _, symbols in heard_rules((), text) for symbol in symbols}
-    heard, silent = [], []
-    for form in forms:
-        count = sum(map(_is_heard, form.examples))
-        if count or form.name in listed:
-            heard.append(f"{form.name} {count} of {len(form.examples)}")
-        else:
-            silent.append(form.name)
+    """How many examples of each form the recognisers listen for."""
+    counts = (
+        f"{form.name} {sum(map(_is_heard, form.examples))} of {len(form.examples)}"
+        for form in forms
+    )
     return (
-        "The recognisers listen for a part of what can be typed (`grammars/heard.lark`): the less they listen for,"
-        "\nthe surer they are of what they hear. Of each form's examples here, they hear:\n\n"
-        f"- as well as typed: {', '.join(heard)}.\n"
-        f"- typed only: {', '.join(silent) or 'none'}.\n"
+        "The recognisers listen for a part of what can be typed: the less they listen for, the surer they are of what"
+        "\nthey hear. It is sentences like the examples here, with other things, actions and words in their places, and"
+        "\nthose of `grammars/heard.lark`. Of each form's examples, they hear:\n\n"
+        f"{', '.join(counts)}.\n"
     )
 
 

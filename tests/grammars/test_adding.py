@@ -17,10 +17,11 @@ from grammars.heard import automaton
 from grammars.parse import parse
 
 ROOT = Path(__file__).parents[2]
-LARK, BUILDER, HEARD = re.findall(
+LARK, BUILDER = re.findall(
     r"```(?:lark|python)\n(.*?)```", (ROOT / "docs/forms.md").read_text("utf8"), re.DOTALL
 )
 SAID = "i dare you to turn left"
+SPEECH = ROOT / "tests/audio/hearing/flite-slt/i-dare-you-to-turn-left.wav"
 
 pytestmark = pytest.mark.timeout(120)  # the fixture compiles a grammar
 
@@ -33,9 +34,6 @@ def copy(tmp_path_factory: pytest.TempPathFactory) -> Path:
         shutil.copytree(ROOT / part, folder / part, ignore=shutil.ignore_patterns("__pycache__"))
     (folder / "grammars/forms/dare.lark").write_text(LARK, encoding="utf8")
     (folder / "grammars/forms/dare.py").write_text(BUILDER, encoding="utf8")
-    heard = folder / "grammars/heard.lark"
-    named = re.sub(r"^_form:", "_form: dare |", heard.read_text("utf8"), flags=re.MULTILINE)
-    heard.write_text(named + HEARD, encoding="utf8")
     python(folder, str(folder / "scripts/compile_grammar.py"))
     return folder
 
@@ -79,9 +77,27 @@ def test_the_form_is_in_the_compiled_grammar(copy: Path) -> None:
     assert "dare" in kept["literal"]
 
 
-def test_the_ears_listen_for_it(copy: Path) -> None:
+def test_the_ears_listen_for_sentences_like_its_examples(copy: Path) -> None:
     listening = (
         "import sys; from grammars.heard import automaton;"
-        "print(automaton().accepts(sys.argv[1].split()))"
+        "print([automaton().accepts(said.split()) for said in sys.argv[1:]])"
     )
-    assert python(copy, "-c", listening, SAID).strip() == "True"
+    like = "robot i dare you to turn around then grab the green cup"
+    assert python(copy, "-c", listening, SAID, like, "i dare you").strip() == "[True, True, False]"
+
+
+@pytest.mark.parametrize("engine", ["vosk", "pocketsphinx"])
+def test_it_is_heard(copy: Path, engine: str) -> None:
+    hearing = """
+import sys
+from pathlib import Path
+from daemon.hearing import recording
+from daemon.hearing.choice import Engine
+from daemon.hearing.events import Heard
+from daemon.hearing.transcribe import Transcriber
+from grammars.heard import automaton
+with Transcriber(Engine(sys.argv[1]), automaton()) as transcriber:
+    events = transcriber.transcribe(recording.read(Path(sys.argv[2])), lambda text: True)
+    print([event.text for event in events if isinstance(event, Heard)])
+"""
+    assert python(copy, "-c", hearing, engine, str(SPEECH)).strip() == str([SAID])

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import random
+from dataclasses import replace
 
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from grammars.automaton import Automaton, cover, restrict, sample
+from grammars.automaton import cover, restrict, sample
 from grammars.finite_state import Compiler, expand
 
 RULES = [
@@ -40,10 +41,8 @@ def test_an_entry_of_two_words_is_a_path() -> None:
 
 
 def test_the_automaton_is_minimal() -> None:
-    one = compile_rules(
-        [("start", ("A", "B")), ("start", ("C", "B")), ("start", ("D", "B"))], "start"
-    )
-    assert one.size == 3
+    rules = [("start", ("A", "B")), ("start", ("C", "B")), ("start", ("D", "B"))]
+    assert Compiler(rules).compiled("start").size == 3
 
 
 def test_a_rule_that_is_not_there_is_an_error() -> None:
@@ -76,3 +75,16 @@ def test_restricting_leaves_whole_sentences() -> None:
     less = restrict(SMALL, SMALL.words - {"block"})
     assert less.accepts("grab the ball".split())
     assert not less.after("grab the block".split())
+
+
+def test_typical_sentences_go_with_their_words() -> None:
+    typical = replace(SMALL, typical=("grab the ball", "grab the block"))
+    assert restrict(typical, SMALL.words - {"block"}).typical == ("grab the ball",)
+
+
+def test_two_words_said_as_one_and_possessives() -> None:
+    rules = [("start", ('"do"', '"not"', '"grab"', "NAME", '"\'s"', '"cup"'))]
+    said = expand(Compiler(rules).compiled("start"), {"NAME": ("mary",)})
+    assert said.accepts("don't grab mary's cup".split())
+    assert said.accepts("do not grab mary's cup".split())
+    assert "'s" not in said.words

@@ -1,5 +1,34 @@
 """What the recognisers are told may be said."""
 
+from __future__ import annotations
+
+import json
+import random
+from functools import cache
+from importlib.resources import files
+
+import pytest
+
+from grammars.automaton import sample
+from grammars.chatter import is_chatter
+from grammars.finite_state import Compiler, expand
+from grammars.heard import (
+    COMPILED,
+    automaton,
+    compile_heard,
+    heard_rules,
+    parser_rules,
+    phrases,
+    said,
+    skeleton,
+    spoken_words,
+    stand_ins,
+)
+from grammars.normalise import pieces
+from grammars.parse import parse
+from grammars.registry import Form, discover
+from grammars.vocabulary import BORN, Vocabulary
+
 DEMONSTRATION = """drive forward
 to cha-cha drive forward then drive backwards
 to shimmy turn left then turn right
@@ -81,11 +110,17 @@ TAUGHT = Vocabulary(
         "widdershins": {"DIR": "widdershins"},
     },
 )
-LISTED = {symbol for _, symbols in heard_rules([], HEARD) for symbol in symbols} - {"choice"}
-"""Forms with a rule of the ears; a choice means something only while its question is open."""
-FORMS = [form for form in discover().values() if form.name in LISTED]
-SAID_EITHER_WAY = {"command": {"control", "feedback"}, "prohibition": {"control"}}
-"""To stop is something to do, and what ends what is done."""
+FORMS = [form for form in discover().values() if not form.expected]
+SAID_EITHER_WAY = {
+    "command": {"control", "feedback"},
+    "prohibition": {"control"},
+    "revision": {"reaction"},
+}
+"""To stop is something to do, and what ends what is done. To "put it first" is as well."""
+TYPED_ONLY = {
+    "Let me teach you to stretch: raise the lift, wait one second, then lower it.",
+}
+"""Examples that mean something only with their commas, which nobody hears."""
 
 
 @pytest.mark.parametrize("sentence", DEMONSTRATION + MANAGING)
@@ -115,39 +150,70 @@ def test_a_taught_word_may_be_said() -> None:
 def test_a_thousand_names_change_the_language_at_once() -> None:
     names = {f"name{number}": {"PROPER": f"name{number}"} for number in range(1000)}
     assert automaton(Vocabulary(BORN.born, names)).accepts("grab name999".split())
-    assert skeleton().size < 1_530
+    assert skeleton().size < 2_000
+
+
+@cache
+def _compiler() -> Compiler:
+    return Compiler(heard_rules())
 
 
 @pytest.mark.parametrize("words", [BORN, TAUGHT], ids=["born", "taught"])
 @pytest.mark.parametrize("form", FORMS, ids=lambda form: form.name)
 def test_what_may_be_said_is_read_as_its_form(form: Form, words: Vocabulary) -> None:
     """A rule of the ears that drifts from the parser's would be listened for in vain."""
-    rules = heard_rules(spoken_rules(), HEARD)
-    language = expand(compile_rules(rules, form.name), spoken_words(words))
     kinds = {form.kind} | SAID_EITHER_WAY.get(form.name, set())
-    said = sample(language, 25, random.Random(7))
-    assert said
-    for sentence in said:
-        if not _is_known_misreading(sentence):
-            assert parse(sentence, words).kind in kinds, sentence
+    spoken, compiler = spoken_words(words), _compiler()
+    for origin, symbols in heard_rules():
+        if origin == form.name:
+            rule = expand(compiler.sequence(symbols), spoken)
+            for sentence in sample(rule, 4, random.Random(7)) if rule.arcs else ():
+                if not _is_known_misreading(sentence):
+                    assert parse(sentence, words).kind in kinds, sentence
 
 
 @pytest.mark.parametrize("words", [BORN, TAUGHT], ids=["born", "taught"])
 def test_whatever_may_be_said_parses(words: Vocabulary) -> None:
-    answers = expand(compile_rules(heard_rules([], HEARD), "choice"), spoken_words(words))
+    answers = [
+        expand(_compiler().compiled(name), spoken_words(words))
+        for name in ("choice", "refusal", "_answer")
+    ]
     for sentence in phrases(words, 200, seed=8):
-        if not answers.accepts(sentence.split()) and not _is_known_misreading(sentence):
+        asked = any(answer.accepts(sentence.split()) for answer in answers)
+        if not asked and not _is_known_misreading(sentence):
             parse(sentence, words)
 
 
-@pytest.mark.parametrize("name", sorted({form.name for form in FORMS}))
-def test_each_form_that_is_heard_hears_an_example_of_its_own(name: str) -> None:
-    """Which others are typed only is told at the end of docs/language.md."""
-    language = automaton(BORN)
-    assert any(
-        language.accepts(re.findall(r"[\w'-]+", example.lower()))
-        for example in discover()[name].examples
-    )
+@pytest.mark.parametrize("form", discover().values(), ids=lambda form: form.name)
+def test_each_example_may_be_said(form: Form) -> None:
+    language = automaton()
+    for example in form.examples:
+        assert language.accepts(said(example).split()) != (example in TYPED_ONLY), example
+
+
+def test_other_things_and_words_may_be_said_in_an_example() -> None:
+    """To "forget what I told you about Mary" is an example, these are not."""
+    language = automaton(TAUGHT)
+    for sentence in (
+        "forget what i told you about the green cup",
+        "please forget what i told you about pookie",
+        "alice may tell you to zork the blick",
+        "make sure the mauve blick is open",
+    ):
+        assert language.accepts(sentence.split()), sentence
+        parse(sentence, TAUGHT)
+
+
+def test_typical_sentences_are_sentences() -> None:
+    language = automaton()
+    assert len(language.typical) > 150
+    assert all(language.accepts(sentence.split()) for sentence in language.typical)
+
+
+def test_the_compiled_skeleton_is_fresh() -> None:
+    """python scripts/compile_grammar.py"""
+    kept = json.loads(files("grammars").joinpath(COMPILED).read_text("utf8"))
+    assert kept == json.loads(json.dumps(compile_heard()))
 
 
 @pytest.mark.parametrize(("form", "sentence"), CONSTRUCTIONS)
@@ -158,15 +224,11 @@ def test_each_construction_that_is_heard_is_accepted_and_parses(form: str, sente
 
 def test_replaced_rules_name_rules_and_words_that_exist() -> None:
     """A rule renamed in the grammar would silently be heard no more."""
-    rules = heard_rules(spoken_rules(), "")
-    known = {origin for origin, _ in rules}
-    of_its_own = {origin for origin, _ in heard_rules([], HEARD)}
-    for origin, symbols in heard_rules([], HEARD):
+    own = list(stand_ins())
+    known = {origin for origin, _ in (*parser_rules(), *own)} | {"_form"}
+    for origin, symbols in own:
         for symbol in symbols:
-            assert symbol.startswith('"') or symbol.isupper() or symbol in known | of_its_own, (
-                origin,
-                symbol,
-            )
+            assert symbol.startswith('"') or symbol.isupper() or symbol in known, (origin, symbol)
 
 
 def _is_known_misreading(sentence: str) -> bool:
