@@ -67,7 +67,7 @@ def skeleton() -> Automaton:
 
 
 def compile_heard() -> dict[str, Any]:
-    """The skeleton as plain data: two seconds' work, so its result is kept in `heard.json`."""
+    """The skeleton as plain data: ten seconds' work, so its result is kept in `heard.json`."""
     rules = heard_rules()
     made = Compiler(rules).compiled(START)
     spoken = expand(made, spoken_words(BORN))
