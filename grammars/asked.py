@@ -10,8 +10,9 @@ from dataclasses import dataclass
 from typing import Final
 
 from grammars.alist import AList
-from grammars.build import Build, NoMeaningError
+from grammars.build import Build, NoMeaningError, particles
 from grammars.clauses import clause
+from grammars.mentions import PLACES
 from grammars.topics import DEEDS, does_so
 from grammars.vocabulary import BORN
 
@@ -63,6 +64,8 @@ def drawn(build: Build, asks: AList, agent: str = "") -> Said:
     subject = asks.find("np")
     if (exist := asks.find("exist")) is not None:
         return Said(_existing(build, exist))
+    if (both := asks.find("both_of")) is not None:
+        return _both(build, asks, both.all("np"))
     own = not agent and (subject is None or subject.slot("pron") == "you")
     deed = asks.find(*DEEDS, *BLANK, "spoken", "instructing")
     who = agent or ("" if own and deed is not None else build.thing(subject or YOU))
@@ -89,6 +92,14 @@ def drawn(build: Build, asks: AList, agent: str = "") -> Said:
         main = build.add("act", "tell", agt=who, dest=build.oneself("you"), cmd=inner)
         return Said(_deny(build, main, denied), inner, topic="ordered")
     return Said(_deny(build, _state(build, asks, who), denied))
+
+
+def _both(build: Build, asks: AList, subjects: list[AList]) -> Said:
+    """ "Did Tim and Oscar come in": the same of each."""
+    rest = tuple(part for part in asks if part.name != "both_of")
+    one, other = (drawn(build, AList(asks.name, (np, *rest))) for np in subjects)
+    del other
+    return one
 
 
 def _deny(build: Build, node: str, denied: bool) -> str:
@@ -153,6 +164,8 @@ def _state(build: Build, asks: AList, who: str) -> str:
         if (mark := topmost.find("np")) is not None:
             build.add("loc", "to", loc=hq, wrt=build.aside(mark))
         return hq
+    if here := asks.slot("hereabouts"):
+        return build.add("loc", here, loc=who)
     if (qual := asks.find("qual")) is not None:
         return build.quality(who, qual)
     if (does := asks.find("does_q")) is not None:
@@ -182,9 +195,49 @@ def _state(build: Build, asks: AList, who: str) -> str:
 
 def _existing(build: Build, exist: AList) -> str:
     """ "There is a cup on the table", "there are two boxes"."""
+    if (clause_of := exist.find("related")) is not None:
+        return related(build, clause_of)
     np = exist.find("np") or AList("np", tuple(part for part in exist if part.name in DESCRIBING))
     thing = build.thing(np)
     if number := exist.slot("num"):
         build.add("cnt", literal=number, cnt=thing)
+    if here := exist.slot("hereabouts"):
+        return build.add("loc", here, loc=thing)
     pred = exist.find("pred")
     return thing if pred is None else build.predicate(thing, pred, negated=False)
+
+
+def fill(build: Build, act: str, thing: str, strand: str, asks: AList) -> None:
+    """Put the thing where it is missing: as what the deed is done to, or behind the word left over at the end."""
+    term = build.sketch.terms[act]
+    if term.kind == "act" and not term.lex and not strand:
+        build.sketch.link(act, "obj", thing)
+        return
+    has_object = any(role == "obj" for role, _ in term.links)
+    verb = min(term.lex, default="")
+    if f"{verb} {strand}" in particles() and not has_object:
+        build.sketch.change(act, lex=frozenset((particles()[f"{verb} {strand}"][0],)))
+        build.sketch.link(act, "obj", thing)
+    elif strand == "to" and term.kind == "act":
+        build.sketch.link(act, "dest", thing)
+    elif strand:
+        build.add("loc", PLACES.get(strand, strand), loc=act, wrt=thing)
+    elif term.kind == "act" and not has_object:
+        build.sketch.link(act, "obj", thing)
+    else:
+        raise NoMeaningError(str(asks))
+
+
+def related(build: Build, np: AList) -> str:
+    """Node of a thing that a clause describes: "the box that Tom brought"."""
+    thing = build.thing(AList("np", tuple(part for part in np if part.name != "asks")))
+    of_clause(build, np, thing)
+    return thing
+
+
+def of_clause(build: Build, np: AList, thing: str) -> None:
+    """Say of a thing what a clause says that misses it."""
+    so = drawn(build, np.first("asks"))
+    fill(build, so.inner or so.main, thing, "", np)
+    if so.own:
+        build.sketch.link(so.main, "agt", build.oneself("you"))

@@ -16,6 +16,9 @@ PERSONAL: Final = frozenset("him her he she".split())
 OF_WOMEN: Final = frozenset(("she", "her"))
 PERSON_WORDS: Final = frozenset("someone somebody anyone anybody nobody whoever".split()) | {
     "someone else",
+    "anyone else",
+    "anybody else",
+    "somebody else",
     "no one",
 }
 NOBODY: Final = frozenset(("nothing", "nobody", "no one"))

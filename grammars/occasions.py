@@ -35,12 +35,15 @@ def occasional(build: Build, body: AList) -> Question:
 def on_occasion(build: Build, about: Graphlet, body: AList, occasion: AList) -> Graphlet:
     """What is asked about, with what was so on that occasion: "where did you go when I told you to turn"."""
     asked = body.find("asks")
-    if asked is not None and not any(
-        asked.has(name) for name in PAST
+    around = occasion.find("action", "gerunding") is not None
+    if (
+        asked is not None and not around and not any(asked.has(name) for name in PAST)
     ):  # else it is what happens then
         raise NoMeaningError(str(occasion))
     if occasion.has("quote"):
         build.add("act", "say", obj=build.add("txt", literal=occasion.slot("quote")))
+    elif (deed := occasion.find("action", "gerunding")) is not None:  # "before you turn"
+        build.action(deed)
     elif (asks := occasion.find("asks")) is not None:
         drawn(build, asks)
     else:

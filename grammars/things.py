@@ -222,7 +222,7 @@ class Things:
             self.sketch.change(name, lex=frozenset({rel.slot("name")}))
         elif (pred := rel.find("pred")) is not None:
             self.predicate(name, pred, rel.has("neg"))
-        elif rel.has("loc") or rel.has("side"):
+        elif rel.has("loc") or rel.has("side") or rel.has("compared"):
             self.predicate(name, rel, negated=False)
         elif rel.has("going") or rel.has("has_it"):
             self._doing(name, rel)

@@ -14,6 +14,7 @@ from kernel.net.graphlet import Graphlet
 TOPICS: Final[dict[str, tuple[Ask, str]]] = {
     "why": ("why", "did"),
     "what_made": ("what", "why"),
+    "what_would": ("what", "occasion"),
     "been": ("where", "did"),
     "takes": ("how", "takes"),
     "busy": ("what", "doing"),

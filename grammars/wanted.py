@@ -9,8 +9,8 @@ from dataclasses import replace
 from typing import Final
 
 from grammars.alist import AList
-from grammars.asked import BLANK, DESCRIBING, YOU, Said, drawn
-from grammars.build import Build, NoMeaningError, particles
+from grammars.asked import BLANK, DESCRIBING, YOU, Said, drawn, fill, of_clause
+from grammars.build import Build, NoMeaningError
 from grammars.chains import TIMES
 from grammars.mentions import PLACES, compounded
 from grammars.topics import DEEDS
@@ -31,7 +31,7 @@ def whether(build: Build, asks: AList) -> Question:
     mild = ("neg", "negq") if asks.find(*DEEDS) is not None else ("negq",)
     so = drawn(build, AList(asks.name, tuple(part for part in asks if part.name not in mild)))
     subject, modal = asks.find("np") or YOU, asks.slot("modal_q")
-    idle = modal in IDLE and not so.own and subject.slot("pron") != "i"
+    idle = modal in IDLE and not so.own and not so.past and subject.slot("pron") != "i"
     idle = idle or (
         modal == "may" and not so.own and not subject.has("name") and subject.slot("pron") != "i"
     )
@@ -118,7 +118,7 @@ def wanted(build: Build, body: AList) -> Question:
     if anybody and asks.has("modal_q"):  # "how many roads must a man walk down"
         raise NoMeaningError(str(asks))
     so = drawn(build, asks)
-    _fill(build, so.inner or so.main, thing, body.slot("strand"), asks)
+    fill(build, so.inner or so.main, thing, body.slot("strand"), asks)
     topic = _topic(build, so)
     if topic == "doing" and build.sketch.terms[so.main].lex == {"hold"}:  # which is no deed
         build.sketch.link(so.main, "agt", build.oneself("you"))
@@ -151,27 +151,6 @@ def _amount(build: Build, wh: AList, asks: AList) -> Question:
     return Question("howmany", build.graphlet(so.main), amt, topic)
 
 
-def _fill(build: Build, act: str, thing: str, strand: str, asks: AList) -> None:
-    """Put the thing where it is missing: as what the deed is done to, or behind the word left over at the end."""
-    term = build.sketch.terms[act]
-    if term.kind == "act" and not term.lex and not strand:
-        build.sketch.link(act, "obj", thing)
-        return
-    has_object = any(role == "obj" for role, _ in term.links)
-    verb = min(term.lex, default="")
-    if f"{verb} {strand}" in particles() and not has_object:
-        build.sketch.change(act, lex=frozenset((particles()[f"{verb} {strand}"][0],)))
-        build.sketch.link(act, "obj", thing)
-    elif strand == "to" and term.kind == "act":
-        build.sketch.link(act, "dest", thing)
-    elif strand:
-        build.add("loc", PLACES.get(strand, strand), loc=act, wrt=thing)
-    elif term.kind == "act" and not has_object:
-        build.sketch.link(act, "obj", thing)
-    else:
-        raise NoMeaningError(str(asks))
-
-
 def fronted(build: Build, body: AList) -> Question:
     """ "On which shelf is the hammer", "to whom does the cup belong"."""
     ask, wanted, thing = asked_thing(build, body.first("wh"))
@@ -182,7 +161,7 @@ def fronted(build: Build, body: AList) -> Question:
         )
         return Question(ask, build.graphlet(there), wanted)
     so = drawn(build, asks)
-    _fill(build, so.inner or so.main, thing, front, asks)
+    fill(build, so.inner or so.main, thing, front, asks)
     topic = _topic(build, so)
     return Question(ask, build.graphlet(so.main), wanted, topic)
 
@@ -234,6 +213,23 @@ def what_for(build: Build, body: AList) -> Question:
     return replace(why(build, body), ask="what", topic="why")
 
 
+def how_known(build: Build, body: AList) -> Question:
+    """ "How do you know that Tim is tall": who said so."""
+    return replace(why(build, body), ask="who", topic="taught")
+
+
+def what_thinks(build: Build, body: AList) -> Question:
+    """ "What makes you think the jar is heavy": who said so."""
+    return replace(why(build, body), ask="what", topic="taught")
+
+
+def what_stops(build: Build, body: AList) -> Question:
+    """ "What stopped you from turning": why it did not."""
+    act = build.action(body.first("gerunding"))
+    build.sketch.change(act, negated=True)
+    return Question("what", build.graphlet(act), "", "why")
+
+
 def cleft(build: Build, body: AList) -> Question:
     """ "Was it Tom who moved the box"."""
     clefted = body.first("clefted")
@@ -247,6 +243,7 @@ def either_so(build: Build, body: AList) -> Question:
     np = body.find("np") or YOU
     who = build.thing(np)
     mains = [build.predicate(who, pred, negated=False) for pred in body.all("pred")]
+    mains += [build.place("loc", who, loc) for loc in body.all("loc")]
     for doing in body.all("gerunding"):
         mains.append(build.action(doing))
         build.sketch.link(mains[-1], "agt", who)
@@ -262,22 +259,8 @@ def same_thing(build: Build, body: AList) -> Question:
     if not kind:
         raise NoMeaningError(str(body))
     build.kind(thing, kind, compounded(one))
-    _of_clause(build, one, thing)
+    of_clause(build, one, thing)
     return Question("yesno", build.graphlet(thing))
-
-
-def related(build: Build, np: AList) -> str:
-    """Node of a thing that a clause describes: "the box that Tom brought"."""
-    thing = build.thing(AList("np", tuple(part for part in np if part.name != "asks")))
-    _of_clause(build, np, thing)
-    return thing
-
-
-def _of_clause(build: Build, np: AList, thing: str) -> None:
-    so = drawn(build, np.first("asks"))
-    _fill(build, so.inner or so.main, thing, "", np)
-    if so.own:
-        build.sketch.link(so.main, "agt", build.oneself("you"))
 
 
 def why(build: Build, body: AList) -> Question:

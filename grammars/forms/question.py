@@ -7,6 +7,7 @@ from dataclasses import replace
 from typing import Final
 
 from grammars.alist import AList
+from grammars.asked import related
 from grammars.build import Build, NoMeaningError
 from grammars.clauses import clause
 from grammars.mentions import compounded
@@ -20,11 +21,13 @@ from grammars.wanted import (
     cleft,
     either_so,
     fronted,
-    related,
+    how_known,
     same_thing,
     subject,
     wanted,
     what_for,
+    what_stops,
+    what_thinks,
     whether,
     why,
 )
@@ -164,7 +167,13 @@ def _whose(build: Build, body: AList) -> Question:
 
 
 def _where(build: Build, body: AList) -> Question:
-    loc = build.add("loc", loc=_meant(build, body))
+    if (both := body.find("both_of")) is not None:  # "where are Tim and Oscar"
+        locs = [build.add("loc", loc=build.thing(np)) for np in both.all("np")]
+        return Question("where", build.graphlet(locs[0]), locs[0])
+    thing = _meant(build, body)
+    if (place := body.find("loc")) is not None:
+        build.place("loc", thing, place)
+    loc = build.add("loc", loc=thing)
     return Question("where", build.graphlet(loc), loc)
 
 
@@ -268,6 +277,9 @@ SO: Final[dict[str, Callable[[Build, AList], Question]]] = {
     "howmany": _howmany,
     "why": _why,
     "what_for": what_for,
+    "what_thinks": what_thinks,
+    "how_known": how_known,
+    "what_stops": what_stops,
     "seeing": _seeing,
     "how_is": _how_is,
     "named_what": _named,

@@ -174,6 +174,8 @@ def _taught(telling: Telling, asked: Question, you: str, me: str) -> str:
     main = telling.term(asked.about.main)
     if is_predicate(main) and (main.kind != "act" or linked(main, "agt")):
         said = claim(telling, asked.about)
+        if asked.ask == "what":
+            return f"what makes {me} think that {said}"
         if asked.ask == "why":
             return f"why {said.verb} {said.subject} {said.asked}"
         return f"who told {me} that {said}"
