@@ -79,6 +79,7 @@ class Listener:
         self._utterance: _Utterance | None = None
         self._unfinished: _Utterance | None = None
         self._lesson_ended_s = -endpoint.JOIN_S
+        self._lesson_broken = False
         self.unheard: tuple[str, ...] = ()
         self.set_language(language)
 
@@ -234,11 +235,14 @@ class Listener:
             utterance.text = best
             self._unfinished = utterance
             return
-        if endpoint.is_continuation(best) and times[0] - self._lesson_ended_s < endpoint.JOIN_S:
+        after_lesson = times[0] - self._lesson_ended_s < endpoint.JOIN_S
+        if after_lesson and (self._lesson_broken or endpoint.is_continuation(best)):
             self._lesson_ended_s = self.now_s
             yield NotHeard(*times, "fragment", best)
             return
         if endpoint.is_open(best):
+            # What was heard of it is no sentence: what follows at once may be the rest of it.
+            self._lesson_broken = not self._language.accepts(best.split())
             self._lesson_ended_s = self.now_s
         yield Ended(*times, tuple((text, confidence) for text, confidence in found), cut)
 

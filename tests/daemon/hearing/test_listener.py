@@ -12,6 +12,7 @@ from daemon.hearing import recording
 from daemon.hearing.events import CoreEvent, Ended
 from daemon.hearing.listener import Listener
 from daemon.hearing.recogniser import RATE_HZ, Samples, load
+from grammars.automaton import restrict
 from grammars.heard import automaton
 
 SPEECH = Path(__file__).parents[2] / "audio" / "hearing" / "flite-slt"
@@ -77,3 +78,13 @@ def test_its_times_count_from_the_first_sample(used: Listener) -> None:
     length_s = len(spoken("drive-forward")) / RATE_HZ
     assert began_s + 1.0 < ended.began_s < began_s + 1.35
     assert began_s + 1.0 + length_s - 0.6 < ended.ended_s < began_s + 1.0 + length_s - 0.4
+
+
+def test_what_follows_a_lesson_that_was_not_understood_is_no_command() -> None:
+    """It may be the rest of it: "to dance cha-cha then (unclear)", a pause, "shimmy"."""
+    listener = Listener(*load("vosk"), restrict(LANGUAGE, LANGUAGE.words - {"drive", "driving"}))
+    lesson = (spoken("cha-cha-0.4"), silence(1.2), spoken("please-dance"))
+    (unclear,) = heard(listener, *lesson)
+    assert unclear.alternatives[0][0].startswith("to cha-cha")
+    (command,) = heard(listener, silence(1.0), spoken("please-dance"))
+    assert command.alternatives[0][0] == "please dance"
