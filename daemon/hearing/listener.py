@@ -236,7 +236,8 @@ class Listener:
             self._unfinished = utterance
             return
         after_lesson = times[0] - self._lesson_ended_s < endpoint.JOIN_S
-        if after_lesson and (self._lesson_broken or endpoint.is_continuation(best)):
+        rest = self._lesson_broken and not endpoint.is_open(best)
+        if after_lesson and (rest or endpoint.is_continuation(best)):
             self._lesson_ended_s = self.now_s
             yield NotHeard(*times, "fragment", best)
             return
