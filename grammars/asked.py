@@ -90,7 +90,8 @@ def drawn(build: Build, asks: AList, agent: str = "") -> Said:
     if (commanding := asks.find("commanding")) is not None:
         inner = _act(build, commanding, commanding.has("neg"))
         main = build.add("act", "tell", agt=who, dest=build.oneself("you"), cmd=inner)
-        return Said(_deny(build, main, denied), inner, topic="ordered")
+        may = asks.has("modal_q") or asks.has("bound")
+        return Said(_deny(build, main, denied), inner, topic="orders" if may else "ordered")
     return Said(_deny(build, _state(build, asks, who), denied))
 
 

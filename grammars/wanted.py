@@ -22,6 +22,8 @@ ASKS: Final[dict[str, Ask]] = {
     "how many more": "howmany",
     "where": "where", "when": "when", "at what time": "when", "how": "how",
 }  # fmt: skip
+ORDERS: Final = ("ordered", "orders")  # what somebody told the robot, and may tell it
+SUPPOSED: Final = ("supposed to", "meant to")
 BARE: Final = ("who", "whom", "what", "which", "how many")  # that may stand alone
 IDLE: Final = frozenset("could would might shall".split())  # of others: nobody asks a robot
 
@@ -45,6 +47,13 @@ def whether(build: Build, asks: AList) -> Question:
         build.sketch.link(so.main, "agt", build.oneself("you"))
         return Question("yesno", build.graphlet(so.main))
     topic = _topic(build, so)
+    if not topic and (asks.find("np") or YOU).has("whole"):  # "are both of the cups empty"
+        about = build.sketch.terms[so.main].links
+        name = next(
+            (other for role, other in about if role in ("agt", "hq", "loc", "own", "ako")), ""
+        )
+        build.sketch.change(name, ref="every")
+        topic = "every"
     return Question("yesno", build.graphlet(so.main), "", topic)
 
 
@@ -56,8 +65,8 @@ def _says_nothing(build: Build, so: Said) -> bool:
 
 def _topic(build: Build, so: Said) -> str:
     """What of the robot's own doings is asked about; where it is nothing of that sort, its act gets its agent."""
-    if so.topic == "ordered":
-        return "ordered"
+    if so.topic in ORDERS:
+        return so.topic
     topic = ""
     if so.own:
         topic = "did" if so.past else "doing" if so.going else so.topic.removeprefix("request")
@@ -89,7 +98,7 @@ def subject(build: Build, body: AList) -> Question:
     """ "Who moved the ladder", "which cup belongs to Lucy", "how many cups are empty"."""
     ask, wanted, thing = asked_thing(build, body.first("wh"))
     so = drawn(build, body, thing)
-    return Question(ask, build.graphlet(so.main), wanted, so.topic if so.topic == "ordered" else "")
+    return Question(ask, build.graphlet(so.main), wanted, so.topic if so.topic in ORDERS else "")
 
 
 def wanted(build: Build, body: AList) -> Question:
@@ -134,7 +143,17 @@ def _anything(build: Build, body: AList, asks: AList) -> Question | None:
     if not blank or body.has("strand"):
         return None
     so = drawn(build, asks)
+    if not so.own and commanding is None:  # "what does a wrench do": what is known of it
+        agent = dict(build.sketch.terms[so.main].links)["agt"]
+        return Question("what", build.graphlet(agent), "", "know_about")
     topic = _topic(build, so)
+    if (
+        topic == "allowed"
+        and asks.slot("bound") in SUPPOSED
+        and not asks.has("neg")
+        and not asks.has("negq")
+    ):
+        topic = "doing"
     if so.own and so.topic == "request":  # "what else can you do"
         return Question("what", build.graphlet(so.main), "", "abilities")
     return Question("what", build.graphlet(so.main), so.inner, topic)
@@ -235,7 +254,7 @@ def cleft(build: Build, body: AList) -> Question:
     clefted = body.first("clefted")
     who = build.thing(clefted.first("np"), person=True)
     so = drawn(build, AList("asks", tuple(part for part in body if part.name != "clefted")), who)
-    return Question("yesno", build.graphlet(so.main))
+    return Question("yesno", build.graphlet(so.main), "", so.topic if so.topic in ORDERS else "")
 
 
 def either_so(build: Build, body: AList) -> Question:
@@ -270,5 +289,5 @@ def why(build: Build, body: AList) -> Question:
     if so.own:
         return Question("why", build.graphlet(so.main), "", "did")
     return Question(
-        "why", build.graphlet(so.main), "", so.topic if so.topic == "ordered" else "taught"
+        "why", build.graphlet(so.main), "", so.topic if so.topic in ORDERS else "taught"
     )

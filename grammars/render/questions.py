@@ -2,14 +2,12 @@
 
 from __future__ import annotations
 
-from typing import Final
-
-from grammars.morphology import plural
 from grammars.render.clauses import Clause, clause, conditions, naming
 from grammars.render.deeds import be, deed
+from grammars.render.missing import ADVERBS, GAPPED, bare, ordered, own_deed, question_words, spaced
 from grammars.render.procedures import procedure
 from grammars.render.telling import Telling, Voice, is_predicate, linked, word
-from grammars.render.things import description, thing
+from grammars.render.things import thing
 from kernel.memory.meaning import Question
 from kernel.net.graphlet import Graphlet, Term
 
@@ -26,16 +24,18 @@ def question(asked: Question, voice: Voice) -> str:
         and asked.ask != "yesno"
         and (asked.wanted or asked.ask in ADVERBS)
     ):
-        return _own_deed(telling, asked, you)
+        return own_deed(telling, asked, you)
     match asked.topic:
-        case "ordered":
-            return _ordered(telling, asked)
+        case "ordered" | "orders":
+            return ordered(telling, asked)
         case "occasion":
             return f"when do {you} {deed(telling, main)}"
         case "lasting":
             return f"how long did {you} {deed(telling, main)}"
         case "takes":
             return f"how long does it take to {deed(telling, main)}"
+        case "why" if asked.ask == "what" and telling.term(main).negated:
+            return f"what stopped {you} from {deed(telling, main, 'gerund')}"
         case "why" if asked.ask == "what" and telling.term(main).lex:
             return f"what made {you} {deed(telling, main)}"
         case "either":
@@ -79,94 +79,11 @@ def question(asked: Question, voice: Voice) -> str:
     return _present(telling, asked)
 
 
-GAPPED: Final = ("did", "doing", "allowed", "extent")
-ADVERBS: Final = ("where", "how", "which")
-
-
-def _own_deed(telling: Telling, asked: Question, you: str) -> str:
-    """A deed of the robot's of which something is asked: "which cup did you lift", "where are you going"."""
-    main = asked.about.main
-    if asked.topic == "extent":
-        amt = telling.take(main, "amt")
-        head = f"how many {plural(word(amt[0]))}" if amt else "how far"
-    elif asked.wanted == main:
-        return f"what {be(you)} {you} doing" if asked.topic == "doing" else f"what did {you} do"
-    else:
-        head = (
-            _head(telling, asked)
-            if asked.wanted
-            else "which way"
-            if asked.ask == "which"
-            else asked.ask
-        )
-    negated = "not " if telling.term(main).negated else ""
-    match asked.topic:
-        case "doing":
-            said = f"{head} {be(you)} {you} {deed(telling, main, 'gerund') if telling.term(main).lex else ''}"
-        case "allowed":
-            said = f"{head} {be(you)} {you} {negated}allowed to {deed(telling, main)}"
-        case _ if not telling.term(main).lex and not telling.term(main).ref:
-            said = f"{head} have {you} been"
-        case _:
-            said = f"{head} did {you} {deed(telling, main)}"
-    return _spaced(said)
-
-
-def _head(telling: Telling, asked: Question) -> str:
-    """The question words, with what is said of the thing wanted; it is missing in what follows."""
-    owned = next((t for t in telling.terms.values() if linked(t, "of") == asked.wanted), None)
-    if owned is not None:
-        telling.stated.add(owned.name)
-        telling.gap = linked(owned, "own")
-        return f"whose {_bare(telling, telling.gap, several=False)}"
-    telling.gap = asked.wanted
-    said = telling.about(asked.wanted, "ako", "hq", "loc", "own")
-    words = {"howmany": "how many"}.get(asked.ask, asked.ask)
-    if asked.ask in ("howmany", "which") or any(linked(t, "ako") for t in said):
-        words += " " + _bare(telling, asked.wanted, asked.ask == "howmany")
-    return words
-
-
-def _ordered(telling: Telling, asked: Question) -> str:
-    """What somebody told the robot to do, and who, when and why."""
-    main = asked.about.main
-    wanted = asked.wanted if asked.wanted != linked(telling.term(main), "cmd") else ""
-    head = (
-        _head(telling, asked)
-        if wanted
-        else {"yesno": "", "howmany": "how many times"}.get(asked.ask, asked.ask)
-    )
-    telling.gap = telling.gap or asked.wanted
-    subject = not linked(telling.term(main), "agt")
-    if subject:
-        told = linked(telling.term(main), "dest")
-        who = thing(telling, told, "subject")
-        inner = linked(telling.term(main), "cmd")
-        denied = "not " if telling.term(inner).negated else ""
-        return _spaced(f"{head} {be(who)} {who} told {denied}to {_deed_or_do(telling, inner)}")
-    inner = linked(telling.term(main), "cmd")
-    denied = "not " if telling.term(inner).negated else ""
-    dest = thing(telling, linked(telling.term(main), "dest"))
-    rest = f"{dest} {denied}to {_deed_or_do(telling, inner)}"
-    agent = linked(telling.term(main), "agt")
-    if agent == telling.gap:
-        return _spaced(f"{head} may tell {rest}")
-    return _spaced(f"{head} did {thing(telling, agent, 'subject')} tell {rest}")
-
-
-def _deed_or_do(telling: Telling, name: str) -> str:
-    return deed(telling, name) if telling.term(name).lex else "do"
-
-
 def _either(telling: Telling, asked: Question) -> str:
     main, other = (telling.term(name) for name in (asked.about.main, asked.wanted))
     telling.hold_back([main, other])
     one, two = (clause(telling, term, "") for term in (main, other))
     return f"{one.verb} {one.subject} {one.asked} or {two.asked}"
-
-
-def _spaced(text: str) -> str:
-    return " ".join(text.split())
 
 
 def _taught(telling: Telling, asked: Question, you: str, me: str) -> str:
@@ -214,8 +131,8 @@ def _present(telling: Telling, asked: Question) -> str:
     if asked.ask == "yesno":
         return f"{said.verb} {said.subject} {said.asked}"
     if said.subject:
-        return _spaced(f"{head} {said.verb} {said.subject} {said.asked}")
-    return _spaced(f"{head} {said.stated}")
+        return spaced(f"{head} {said.verb} {said.subject} {said.asked}")
+    return spaced(f"{head} {said.stated}")
 
 
 def indirect(asked: Question, voice: Voice) -> str:
@@ -247,7 +164,7 @@ def _asked(telling: Telling, asked: Question) -> tuple[str, Clause]:
         case "howmany" if not asked.wanted and main.kind == "act":
             return "how often", claim(telling, asked.about)
         case "howmany" if main.name == wanted:
-            return f"how many {_bare(telling, wanted, several=True)}", Clause(
+            return f"how many {bare(telling, wanted, several=True)}", Clause(
                 "there", "are", "are", ""
             )
         case "which" if main.name == wanted and linked(main, "loc"):
@@ -257,6 +174,8 @@ def _asked(telling: Telling, asked: Question) -> tuple[str, Clause]:
             mod = telling.term(linked(telling.term(wanted), "deg"))
             telling.stated.update((mod.name, wanted))
             return f"how {word(mod)}", claim(telling, asked.about)
+        case "which" if not asked.wanted:
+            return "which way", claim(telling, asked.about)
         case "where" | "when" | "how" | "why" if asked.wanted in ("", main.name):
             return asked.ask, claim(telling, asked.about)
         case ask:
@@ -272,7 +191,7 @@ def _wanted(telling: Telling, asked: Question, main: Term, ask: str) -> tuple[st
         thing_ = thing(telling, linked(main, "own"), "subject")
         return "who", Clause(thing_, "does", "belongs to", "belong to")
     telling.hold_back([main])
-    head = _head(telling, asked)
+    head = question_words(telling, asked)
     telling.release([main])
     telling.mention(wanted)
     said = claim(telling, asked.about)
@@ -283,12 +202,6 @@ def _wanted(telling: Telling, asked: Question, main: Term, ask: str) -> tuple[st
 
 def _being(subject: str) -> Clause:
     return Clause(subject, be(subject), be(subject), "")
-
-
-def _bare(telling: Telling, name: str, several: bool) -> str:
-    """The description of a thing without article."""
-    before, noun, after = description(telling, name, "one")
-    return " ".join(filter(None, (before, plural(noun) if several else noun, after)))
 
 
 def claim(telling: Telling, about: Graphlet) -> Clause:

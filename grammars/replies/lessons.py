@@ -20,6 +20,7 @@ _NONE: Final = {
     "after": "nothing that I was taught",
     "allowed": "nobody has forbidden me anything",
     "occasion": "nothing that I was taught",
+    "orders": "anybody, as far as I was taught",
 }
 
 

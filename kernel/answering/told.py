@@ -3,15 +3,19 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import replace
 
 from kernel.asking import Asking, answers
 from kernel.memory.experience import Deed
-from kernel.memory.explanation import Lessons, Taught
+from kernel.memory.explanation import Allowed, Lessons, Taught
 from kernel.memory.meaning import Question
 from kernel.memory.meant import description, is_like
+from kernel.memory.recall import THINGS
 from kernel.memory.recall import answer as recalled
 from kernel.memory.reply import Answer, Reply
 from kernel.net.graphlet import Graphlet
+from kernel.net.match import holds, matches
+from kernel.net.node import REMEMBERED
 
 
 @answers("ordered")
@@ -23,22 +27,54 @@ def ordered(asking: Asking) -> Reply:
     return Answer(asking.question, "no" if asking.question.ask == "yesno" else "unknown")
 
 
+@answers("orders")
+def may_order(asking: Asking) -> Reply:
+    """Whether that person's order would be followed: a dry run tells; of nobody in particular, what is taught."""
+    act = _ordered(asking)
+    teller = min(_names(asking), default="")
+    if asking.question.ask != "yesno" or not teller or not act.words():
+        return Lessons(asking.question, tuple(asking.about_acts(act, "ANTE", "ALLOW")))
+    trouble = asking.imagine(asking.command(act), teller).trouble
+    return Allowed(replace(asking.question, about=act), trouble)
+
+
+@answers("every")
+def every(asking: Asking) -> Answer:
+    """Whether each of the things that are known to fit is so."""
+    question, net = asking.question, asking.commons.memory.net
+    about = question.about
+    name = next(other for _, other in asking.main.links if other.startswith("obj"))
+    described = description(about, name)
+    fitting = [] if len(described.terms) < 2 else list(matches(described, net, REMEMBERED, {}))
+    things = {match[name] for match in fitting if match[name].kind in THINGS}
+    so = bool(things) and all(holds(about, net, REMEMBERED, {name: thing}) for thing in things)
+    return Answer(question, "yes" if so else "unknown")
+
+
 def _orders(asking: Asking) -> Iterator[Deed]:
-    about, main = asking.question.about, asking.main
-    act = _ordered_act(about, next((other for role, other in main.links if role == "cmd"), ""))
-    names = {
-        name.lower()
-        for role, other in main.links
-        for term in about
-        if role == "agt" and term.name == other
-        for name in (asking.commons.memory.speaker_names if "me" in term.lex else term.lex)
-    }
+    act, names = _ordered(asking), _names(asking)
     for deed in asking.commons.experience:
         source = deed.source
         if source is None or not asking.commons.experience.is_whole(deed):
             continue
         if (not names or source.teacher.lower() in names) and is_like(act, deed.understood):
             yield deed
+
+
+def _names(asking: Asking) -> set[str]:
+    """Who gave the order, or may give it."""
+    return {
+        name.lower()
+        for role, other in asking.main.links
+        for term in asking.question.about
+        if role == "agt" and term.name == other
+        for name in (asking.commons.memory.speaker_names if "me" in term.lex else term.lex)
+    }
+
+
+def _ordered(asking: Asking) -> Graphlet:
+    links = asking.main.links
+    return _ordered_act(asking.question.about, next((o for role, o in links if role == "cmd"), ""))
 
 
 def _ordered_act(about: Graphlet, name: str) -> Graphlet:
