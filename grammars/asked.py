@@ -64,6 +64,9 @@ def drawn(build: Build, asks: AList, agent: str = "") -> Said:
     subject = asks.find("np")
     if (exist := asks.find("exist")) is not None:
         return Said(_existing(build, exist))
+    if (deemed := asks.find("deemed")) is not None:  # "it is dangerous to touch the lamp"
+        hq = build.quality(build.action(deemed.first("action")), deemed)
+        return Said(_deny(build, hq, asks.has("neg")))
     if (both := asks.find("both_of")) is not None:
         return _both(build, asks, both.all("np"))
     own = not agent and (subject is None or subject.slot("pron") == "you")
@@ -167,6 +170,12 @@ def _state(build: Build, asks: AList, who: str) -> str:
         return hq
     if here := asks.slot("hereabouts"):
         return build.add("loc", here, loc=who)
+    if (complement := asks.find("complement")) is not None:  # "afraid of cats", "tired of turning"
+        hq = build.quality(who, complement)
+        doing = complement.find("gerunding")
+        about = build.thing(complement.first("np")) if doing is None else build.action(doing)
+        build.add("loc", complement.slot("regard", "of"), loc=hq, wrt=about)
+        return hq
     if (qual := asks.find("qual")) is not None:
         return build.quality(who, qual)
     if (does := asks.find("does_q")) is not None:

@@ -1,5 +1,5 @@
-"""Questions about what was so, or would be, on some occasion: "did you stop when I told you to", "what should you say
-when somebody sneezes".
+"""Questions about what was so, or would be, on some occasion ("did you stop when I told you to", "what should you say
+when somebody sneezes"), and about which of two things is so.
 """
 
 from __future__ import annotations
@@ -7,7 +7,7 @@ from __future__ import annotations
 from typing import Final
 
 from grammars.alist import AList
-from grammars.asked import drawn
+from grammars.asked import YOU, drawn
 from grammars.build import Build, NoMeaningError
 from grammars.clauses import stated
 from kernel.memory.meaning import Ask, Question
@@ -50,3 +50,17 @@ def on_occasion(build: Build, about: Graphlet, body: AList, occasion: AList) -> 
         teller = build.thing(occasion.find("np") or _ME, person=True)
         build.add("act", "tell", agt=teller, dest=build.oneself("you"))
     return build.graphlet(about.main)
+
+
+def either_so(build: Build, body: AList) -> Question:
+    """ "Is the gripper open or closed": both are drawn, and one of them is so."""
+    np = body.find("np") or YOU
+    who = build.thing(np)
+    mains = [build.predicate(who, pred, negated=False) for pred in body.all("pred")]
+    mains += [build.place("loc", who, loc) for loc in body.all("loc")]
+    if any(build.sketch.terms[name].kind == "obj" for name in mains):  # "are you Tim or Oscar"
+        raise NoMeaningError(str(body))
+    for doing in body.all("gerunding"):
+        mains.append(build.action(doing))
+        build.sketch.link(mains[-1], "agt", who)
+    return Question("which", build.graphlet(mains[0]), mains[1], "either")

@@ -249,24 +249,19 @@ def what_stops(build: Build, body: AList) -> Question:
     return Question("what", build.graphlet(act), "", "why")
 
 
+def obeys(build: Build, body: AList) -> Question:
+    """ "Do you obey Tim": whether he may give orders."""
+    who, act = build.thing(body.first("np"), person=True), build.add("act")
+    main = build.add("act", "tell", agt=who, dest=build.oneself("you"), cmd=act)
+    return Question("yesno", build.graphlet(main), "", "orders")
+
+
 def cleft(build: Build, body: AList) -> Question:
     """ "Was it Tom who moved the box"."""
     clefted = body.first("clefted")
     who = build.thing(clefted.first("np"), person=True)
     so = drawn(build, AList("asks", tuple(part for part in body if part.name != "clefted")), who)
     return Question("yesno", build.graphlet(so.main), "", so.topic if so.topic in ORDERS else "")
-
-
-def either_so(build: Build, body: AList) -> Question:
-    """ "Is the gripper open or closed": both are drawn, and one of them is so."""
-    np = body.find("np") or YOU
-    who = build.thing(np)
-    mains = [build.predicate(who, pred, negated=False) for pred in body.all("pred")]
-    mains += [build.place("loc", who, loc) for loc in body.all("loc")]
-    for doing in body.all("gerunding"):
-        mains.append(build.action(doing))
-        build.sketch.link(mains[-1], "agt", who)
-    return Question("which", build.graphlet(mains[0]), mains[1], "either")
 
 
 def same_thing(build: Build, body: AList) -> Question:

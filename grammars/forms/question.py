@@ -11,7 +11,7 @@ from grammars.asked import related
 from grammars.build import Build, NoMeaningError
 from grammars.clauses import clause
 from grammars.mentions import compounded
-from grammars.occasions import occasional, on_occasion
+from grammars.occasions import either_so, occasional, on_occasion
 from grammars.registry import sentence_form
 from grammars.topics import of_topic
 from grammars.wanted import (
@@ -19,9 +19,9 @@ from grammars.wanted import (
     adverbial,
     asked_thing,
     cleft,
-    either_so,
     fronted,
     how_known,
+    obeys,
     same_thing,
     subject,
     wanted,
@@ -195,12 +195,6 @@ def _yesno(build: Build, body: AList) -> Question:
         return Question("yesno", build.graphlet(build.action(done)), "", "did")
     subject = body.find("np")
     agent = build.oneself("you") if subject is None else build.thing(subject)
-    if (complement := body.find("complement")) is not None:
-        hq = build.quality(agent, complement)
-        doing = complement.find("gerunding")
-        about = build.thing(complement.first("np")) if doing is None else build.action(doing)
-        build.add("loc", complement.slot("regard", "of"), loc=hq, wrt=about)
-        return Question("yesno", build.graphlet(hq))
     if body.has("pred"):  # "are all birds animals"
         return Question("yesno", build.graphlet(clause(build, body)))
     things = body.all("np")
@@ -285,6 +279,7 @@ SO: Final[dict[str, Callable[[Build, AList], Question]]] = {
     "named_what": _named,
     "which_is": _which_is,
     "cleft": cleft,
+    "obeys": obeys,
     "either_so": either_so,
     "same_thing": same_thing,
     "which_way": _which_way,
