@@ -3,21 +3,46 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from functools import cache
 from typing import Final
 
 from grammars.alist import AList
-from grammars.chains import bare_chain, count, plays
-from grammars.clauses import stated
-from grammars.mentions import OWNING, SELF_OWN, Thing, degree, is_person, place_word
-from grammars.things import NoMeaningError, Things
-from grammars.vocabulary import BORN, lines
+from grammars.chains import (
+    bare_chain,
+    count,
+    in_a_while,
+    is_odd,
+    one_by_one,
+    particles,
+    plays,
+    there_too,
+    turns,
+    waited,
+    whole,
+)
+from grammars.clauses import put_nowhere, stated
+from grammars.errors import NoMeaningError
+from grammars.mentions import (
+    ASKING,
+    OWNING,
+    SELF_OWN,
+    TIMES_OF_DAY,
+    Thing,
+    degree,
+    is_person,
+    place_word,
+)
+from grammars.things import Things
+from grammars.vocabulary import BORN
 from kernel.action.chain import Chain, Directive, Play
+from kernel.memory.editing import OTHER_WAY
 from kernel.net.graphlet import Graphlet
 
 __all__ = ["Build", "NoMeaningError", "particles"]
 
 WONDERS: Final = {"what_like": "hq", "what_kind": "ako", "whereabout": "loc"}
+VOICES: Final = {"loud": "loudly", "quiet": "quietly"}
+STEP: Final = "step"
+LETTING_GO: Final = ("release", "drop")  # everything: all that it holds
 CONJUNCTIONS: Final = ("or", "but", "because")  # "don't tell him that or he will cry"
 SIZES: Final = {
     "all the way": "fully",
@@ -32,17 +57,6 @@ SIZES: Final = {
 }
 
 
-@cache
-def particles() -> dict[str, tuple[str, str]]:
-    """Verb, or verb and particle, to lexical item and direction ("" for none)."""
-    table: dict[str, tuple[str, str]] = {}
-    for line in lines("particles"):
-        said, _, meant = line.partition("=")
-        verb, _, way = meant.strip().partition(" ")
-        table[said.strip()] = (verb, way) if meant else (said.strip(), "")
-    return table
-
-
 @dataclass
 class Build(Things):
     """The drawing of one sentence: its things, actions and chains."""
@@ -50,20 +64,26 @@ class Build(Things):
     def action(self, action: AList) -> str:
         """Node of an action; what it is done to stays to be looked up, or is on the board of a pattern."""
         if (speech := action.find("speech", "speaking")) is not None:
-            return self._speech(speech)
+            act = self._speech(speech)
+            self.modifiers(act, action)
+            return act
         if action.value is not None:
             action = AList(action.name, (AList("act", value=action.value),))
         verb, way = self._verb(action)
+        if put_nowhere(verb, action, action.find("np", "every")):
+            raise NoMeaningError("a thing in a place that is put nowhere")
         if action.slot("dir") == "for" and self._particle != "for":
             raise NoMeaningError(str(action))
+        if is_odd(verb, action):
+            raise NoMeaningError(str(action))
         links: dict[str, str] = {}
-        if (every := action.find("every")) is not None:
+        if (every := action.find("every")) is not None and (every.parts or verb not in LETTING_GO):
             links["obj"] = self.every(every)
         if (obj := action.find("np")) is not None:
             links["obj"] = self.thing(obj)
             self.topic = links["obj"] if self.trigger else self.topic
         if (where := action.find("whereis")) is not None:
-            links["obj"] = self._whereabouts(where)
+            links["obj"] = self.whereabouts(where)
         if (iobj := action.find("iobj")) is not None:
             links["dest"] = self.thing(iobj.first("np"), person=True)
         if (dest := action.find("dest")) is not None:
@@ -79,7 +99,10 @@ class Build(Things):
         """Lexical item of the verb with its particle, and the direction that is part of it."""
         if action.has("letgo"):
             return "release", ""
-        verb = action.slot("act")
+        paces = action.find("paces")
+        if paces is not None and STEP not in (paces.value, paces.slot("verb"), paces.slot("verbs")):
+            raise NoMeaningError(str(action))  # "take a break"
+        verb = action.slot("act", STEP)
         for way in [*(d.value or "" for d in action.all("dir")), ""]:
             said = {"forward": "ahead", "backward": "back"}.get(way, way)
             for particle in dict.fromkeys((way, said)):
@@ -93,12 +116,17 @@ class Build(Things):
         """Node of each thing of a description: what is done to it is done in a loop (grammars.chains)."""
         if self.pattern or self.telling:
             raise NoMeaningError(str(every))
-        name = self.thing(AList("np", every.parts))
+        if (number := every.find("num")) is not None:
+            self.times = whole(number.value or "")
+        kind = (AList("ako", value="person"),) if every.has("each_person") else ()
+        said = tuple(part for part in every if part.name not in ("num", "each_person"))
+        name = self.thing(AList("np", (*kind, *said)))
         self.sketch.change(name, ref="each")
         self.each = self.sketch.graphlet(name, *self.finds.pop().names)
         return name
 
     each: Graphlet | None = None
+    times: int | None = None
     _particle: str = ""
 
     def modifiers(self, act: str, action: AList, taken: str = "") -> None:
@@ -116,13 +144,29 @@ class Build(Things):
                 self.add("amt", part.slot("unit") or part.value or "", literal=number, amt=act)
             elif part.name == "cnt":
                 self.add("cnt", literal=count(part), cnt=act)
+            elif part.name == "in_a_while":
+                raise NoMeaningError(str(action))  # together with something else, or as a trigger
+            elif part.name == "counting_up" and "count" in self.sketch.terms[act].lex:
+                self.add("amt", literal=part.slot("num"), amt=act)
+            elif part.name == "counting_up":
+                raise NoMeaningError(str(action))
+            elif part.name == "the_other_way":
+                self.add("dir", OTHER_WAY, dir=act)
+            elif part.name == "turns":
+                self.add("amt", "degree", literal=f"{turns(part) * 360:g}", amt=act)
+            elif part.name == "paces":
+                self.add("cnt", literal=part.slot("num", "1"), cnt=act)
+            elif part.name == "size" and part.value is None:  # "as far as it will go"
+                self.add("deg", "fully", deg=act)
             elif part.name == "size":
                 self.add("deg", SIZES.get(part.value or "", "little"), deg=act)
             elif part.name == "place":
                 self._placed(act, part.first("loc"))
 
     def _placed(self, act: str, loc: AList) -> None:
-        """Where it is done; "look at each block" is done in a loop."""
+        """Where it is done; "look at each block" is done in a loop. When it is to be done the robot does not know."""
+        if not self.pattern and loc.has("np") and loc.first("np").slot("ako") in TIMES_OF_DAY:
+            raise NoMeaningError(str(loc))
         if (every := loc.find("every")) is None:
             self.place("loc", act, loc)
         else:
@@ -144,11 +188,15 @@ class Build(Things):
     def _speech(self, speech: AList) -> str:
         verb = next(part.name for part in speech if part.name in ("say", "tell", "ask"))
         links: dict[str, str] = {}
-        if (quote := speech.find("quote")) is not None:
+        if (asked := speech.find("asked_if")) is not None:
+            links["obj"] = self.add("txt", literal=f"if {asked.slot('quote')}")
+        elif (quote := speech.find("quote")) is not None:
             words = (quote.value or "").lower().removeprefix("that ").split()
             if not words or words[0] in CONJUNCTIONS:
                 raise NoMeaningError(str(speech))
             links["obj"] = self.add("txt", literal=quote.value or "")
+            if verb == "ask" and not speech.has("listener") and words[0] not in ASKING:
+                raise NoMeaningError(str(speech))
         elif not is_person(speech.first("listener")):
             raise NoMeaningError(str(speech))
         hearer = speech.find("hearer", "listener")
@@ -159,12 +207,16 @@ class Build(Things):
                 if every is None
                 else self.every(every)
             )
+        if "dest" not in links and verb == "tell":  # "tell everyone dinner is ready"
+            verb = "say"
         act = self.add("act", verb, **links)
-        if (cnt := speech.find("cnt")) is not None:
-            self.add("cnt", literal=count(cnt), cnt=act)
+        for voice in speech.first("say", "tell", "ask"):  # "shout", "whisper"
+            self.add("mod", VOICES[voice.name], mod=act)
+        self.modifiers(act, speech)
         return act
 
-    def _whereabouts(self, where: AList) -> str:
+    def whereabouts(self, where: AList) -> str:
+        """Node of where a thing is."""
         np = where.find("np")
         if np is None:
             raise NoMeaningError(str(where))
@@ -213,10 +265,16 @@ class Build(Things):
         """Plays one after another; look-ups come before the play that needs them."""
         made: list[Play] = []
         for part in chain:
-            if part.name == "play":
+            if (several := part.find("several")) is not None:
+                made += self.chain(one_by_one(several)).plays
+            elif (delayed := in_a_while(part)) is not None:
+                made += self.chain(waited(delayed)).plays
+            elif part.name == "play":
                 made += plays(self, part)
             elif part.name == "chain":
                 made += self.chain(part).plays
+            elif (loc := part.find("loc")) is not None:  # "look on the bed, then under it"
+                made += self.chain(there_too(chain, part, loc)).plays
             elif part.name == "elliptic":  # "turn left then right"
                 made += self.chain(bare_chain(part)).plays
         return Chain(tuple(made))

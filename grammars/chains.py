@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+from functools import cache
 from typing import TYPE_CHECKING, Final
 
 from grammars.alist import AList
 from grammars.clauses import clause, condition
-from grammars.things import NoMeaningError
+from grammars.errors import NoMeaningError
+from grammars.vocabulary import BORN, lines
 from kernel.action.chain import Chain, Directive, Loop, Part, Play
 from kernel.net.graphlet import Graphlet, Term
 
@@ -16,7 +18,30 @@ if TYPE_CHECKING:
 
 TURNS: Final = frozenset(("left", "right", "clockwise", "counterclockwise", "around"))
 TIMES: Final = frozenset(("second", "minute", "hour"))
+FRACTIONS: Final = {"quarter": 0.25, "half": 0.5}
 LIFTS: Final = {"up": "raise", "down": "lower"}
+
+
+@cache
+def particles() -> dict[str, tuple[str, str]]:
+    """Verb, or verb and particle, to lexical item and direction ("" for none)."""
+    table: dict[str, tuple[str, str]] = {}
+    for line in lines("particles"):
+        said, _, meant = line.partition("=")
+        verb, _, way = meant.strip().partition(" ")
+        table[said.strip()] = (verb, way) if meant else (said.strip(), "")
+    return table
+
+
+def is_odd(verb: str, action: AList) -> bool:
+    """ "Look on the bed" looks there and has no bed to "look on"; "turn left in ten seconds" turns no way "in"."""
+    ways = [way.value or "" for way in action.all("dir")]
+    amt = action.find("amt")
+    if "in" in ways and amt is not None and amt.slot("unit") in TIMES:
+        return True
+    of_place = [way for way in ways if "PREP" in BORN.readings(way)]
+    before_thing = [part.name for part in action][1:3] == ["dir", "np"]
+    return before_thing and bool(of_place) and f"{verb} {ways[0]}" not in particles()
 
 
 def plays(build: Build, play: AList) -> list[Play]:
@@ -32,6 +57,10 @@ def plays(build: Build, play: AList) -> list[Play]:
                 required.append(build.inquired(part))
             case "loop":
                 required.append(_loop(build, part))
+            case "kept":
+                beside.append(Directive("KEEP", _claim(build, part.first("keeping"))))
+                until = part.first("until").first("conds")
+                required.append(Directive("WAIT", condition(build, until)))
             case "ensuring":
                 required.append(Directive("ACH", _claim(build, part.first("clause"))))
             case "keeping":
@@ -45,7 +74,8 @@ def plays(build: Build, play: AList) -> list[Play]:
     whole = Play(tuple(required), tuple(beside)) if required else Play(tuple(beside))
     made = [*build.looked_up(), whole]
     if build.each is not None:
-        made, build.each = [Play((Loop(Chain(tuple(made)), each=build.each),))], None
+        made = [Play((Loop(Chain(tuple(made)), build.times, each=build.each),))]
+        build.each, build.times = None, None
     return made
 
 
@@ -62,8 +92,8 @@ def _loop(build: Build, loop: AList) -> Loop:
     """What is repeated, and how long; what it is done to is looked up once, before the loop, but for that of "each"."""
     if (every := loop.find("every")) is not None:
         build.every(every)
-        each, build.each = build.each, None
-        return Loop(build.chain(loop.first("chain")), each=each)
+        (each, build.each), (times, build.times) = (build.each, None), (build.times, None)
+        return Loop(build.chain(loop.first("chain")), times, each=each)
     times, body = None, Chain()
     conditions: dict[str, Graphlet] = {}
     for part in loop:
@@ -71,7 +101,7 @@ def _loop(build: Build, loop: AList) -> Loop:
             case "until" | "whiling":
                 conditions[part.name] = condition(build, part.first("conds"))
             case "cnt":
-                times = _whole(count(part))
+                times = whole(count(part))
             case "chain" | "play":
                 body = build.chain(part if part.name == "chain" else AList("chain", (part,)))
     build.finds += [graphlet for play in body.plays if (graphlet := _sought(play)) is not None]
@@ -79,10 +109,55 @@ def _loop(build: Build, loop: AList) -> Loop:
     return Loop(body, times, conditions.get("until"), conditions.get("whiling"))
 
 
-def _whole(number: str) -> int:
+def whole(number: str) -> int:
+    """The number of things or times, of which there are no halves."""
     if not number.isdecimal():
         raise NoMeaningError(number)
     return int(number)
+
+
+def one_by_one(several: AList) -> AList:
+    """ "Grab the box and the ball": the same done to each, one after another."""
+    things = several.all("np") or several.all("dest")
+    same = [part for part in several if part not in things]
+    acts = [AList("action", (same[0], thing, *same[1:])) for thing in things]
+    return AList("chain", tuple(AList("play", (act,)) for act in acts))
+
+
+def waited(delayed: AList) -> AList:
+    """ "In ten seconds turn left": wait as long, then do it."""
+    action = delayed.find("action") or delayed
+    amt = (delayed if action is not delayed else action).first("in_a_while").first("amt")
+    if amt.slot("unit") not in TIMES:
+        raise NoMeaningError(str(delayed))
+    wait = AList("action", (AList("act", value="wait"), amt))
+    now = AList("action", tuple(part for part in action if part.name != "in_a_while"))
+    return AList("chain", tuple(AList("play", (a,)) for a in (wait, now)))
+
+
+def there_too(chain: AList, elliptic: AList, loc: AList) -> AList:
+    """The step before, at another place."""
+    at = chain.parts.index(elliptic)
+    done = [part for before in chain.parts[:at] for part in before.walk() if part.name == "action"]
+    if not done or not done[-1].has("place"):
+        raise NoMeaningError(str(elliptic))
+    same = [part for part in done[-1] if part.name != "place"]
+    action = AList("action", (*same, AList("place", (loc,))))
+    return AList("chain", (AList("play", (action,)),))
+
+
+def turns(turns: AList) -> float:
+    """How often all around: "a quarter", "half", "a full" turn."""
+    number = turns.slot("num")
+    return float(number) if number else FRACTIONS.get(turns.value or "", 1.0)
+
+
+def in_a_while(play: AList) -> AList | None:
+    """What is to be done in a while, where the play is that alone."""
+    action = play.find("delayed", "action")
+    return (
+        action if action is not None and len(play.parts) == 1 and action.has("in_a_while") else None
+    )
 
 
 def _sought(play: Play) -> Graphlet | None:

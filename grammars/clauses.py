@@ -2,19 +2,20 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Final
 
 from grammars.alist import AList
+from grammars.errors import NoMeaningError
 from grammars.hedges import preference
-from grammars.things import NoMeaningError
+from grammars.mentions import VERB_SLOTS
 from kernel.action.chain import Directive
 from kernel.memory.lesson import Operator
-from kernel.net.graphlet import Graphlet
+from kernel.net.graphlet import Graphlet, Term
 
 if TYPE_CHECKING:
     from grammars.build import Build
 
-VERB_SLOTS = ("does", "gerund", "state", "states", "verb", "verbs")
+PUTTING: Final = ("put", "place", "lay", "set", "stack", "put down", "set down", "lay down")
 
 
 def flat(conds: AList) -> list[AList]:
@@ -33,6 +34,7 @@ def stated(build: Build, conds: AList) -> Graphlet:
     """The same on the present board: what is definite is looked up where that is drawn no pattern."""
     first, *more = flat(conds)
     mains = [clause(build, first, topical=True), *(clause(build, part) for part in more)]
+    build.claims.update(mains)
     return build.graphlet(mains[0])
 
 
@@ -46,7 +48,7 @@ def clause(build: Build, part: AList, subject: str = "", topical: bool = False) 
         topical: its subject is what the sentence is about.
     """
     build.negative = False
-    negated = part.has("neg") or part.has("not_has")
+    negated = any(part.has(denial) for denial in ("neg", "not_has", "neg_own"))
     if (exists := part.find("exists")) is not None:
         return _exists(build, exists)
     if (ordered := part.find("ordered")) is not None:
@@ -58,6 +60,8 @@ def clause(build: Build, part: AList, subject: str = "", topical: bool = False) 
     objects = part.all("np", "base_np")
     if subject:
         agent = subject
+    elif part.has("going") and not objects:  # "after grabbing a vase"
+        agent = build.oneself("you")
     elif objects:
         agent = _subject(build, objects.pop(0), part)
     else:
@@ -65,9 +69,17 @@ def clause(build: Build, part: AList, subject: str = "", topical: bool = False) 
     build.topic = agent if topical else build.topic
     negated = negated or build.negative
     if (pred := part.find("pred")) is not None:
-        return build.predicate(agent, pred, negated)
+        before = len(build.board)
+        main = build.predicate(agent, pred, negated)
+        said = build.board[before:]
+        build.claims.update(n for n in said if ("hq", agent) in build.sketch.terms[n].links)
+        return main
+    if (owner := part.find("owner_of")) is not None:
+        return build.owned(agent, owner, negated)
     if (qual := part.find("qual")) is not None:
         return build.quality(agent, qual, negated)
+    if (where := part.find("whereis")) is not None:
+        return build.add("act", "ask", agt=agent, obj=build.whereabouts(where))
     if part.has("quote"):
         txt = build.add("txt", literal=part.slot("quote"))
         return build.add("act", "say", agt=agent, obj=txt)
@@ -101,12 +113,12 @@ def _exists(build: Build, exists: AList) -> str:
         build.add("cnt", literal=counted.slot("num"), cnt=name)
     else:
         name = build.thing(exists.first("np"))
-    if build.negative:
-        raise NoMeaningError(str(exists))
+    negated = build.negative or exists.has("neg")
     said = [build.sketch.terms[n] for n in build.board[before:] if build.sketch.terms[n].links]
-    for role in ("hq", "loc", "ako"):
+    for role in ("loc", "hq", "ako") if negated else ("hq", "loc", "ako"):
         for term in said:
             if (role, name) in term.links:
+                build.sketch.change(term.name, negated=negated)
                 return term.name
     raise NoMeaningError(str(exists))
 
@@ -122,6 +134,8 @@ def _doing(build: Build, part: AList, agent: str, objects: list[AList], negated:
     verb = next((body.slot(s) for s in VERB_SLOTS if body.has(s)), body.value or "")
     if verb == "have" and not objects:
         raise NoMeaningError(str(part))
+    if put_nowhere(verb, body, objects[0] if objects else None):
+        raise NoMeaningError(str(part))
     links: dict[str, str] = {"agt": agent}
     if objects:
         links["obj"] = build.thing(objects[0])
@@ -136,6 +150,13 @@ def _doing(build: Build, part: AList, agent: str, objects: list[AList], negated:
     return act
 
 
+def put_nowhere(verb: str, said: AList, thing: AList | None) -> bool:
+    """ "In the box" is where the ball is put, and not which ball: "put the ball in the box"."""
+    if verb not in PUTTING or said.has("place") or thing is None:
+        return False
+    return any(rel.has("loc") for rel in thing.all("rel"))
+
+
 def exception(build: Build, alist: AList) -> tuple[Graphlet, ...]:
     """What stands after "unless", each way out by itself."""
     found = alist.find("exception")
@@ -147,6 +168,27 @@ def exception(build: Build, alist: AList) -> tuple[Graphlet, ...]:
 def enablement(build: Build, alist: AList) -> tuple[Graphlet, ...]:
     """What stands after "if" or "while" where an action is the trigger."""
     return tuple(condition(build, conds) for conds in alist.all("conds"))
+
+
+def settled(
+    build: Build, trigger: Graphlet, conditions: tuple[Graphlet, ...]
+) -> tuple[Graphlet, tuple[Graphlet, ...]]:
+    """What describes the trigger's own things is the trigger's, whichever was said first: "if the cat is hurt you may
+    lift it" is "you may lift the cat if it is hurt"."""
+    mine, left = list(trigger), [list(graphlet) for graphlet in conditions]
+    for terms in left:
+        while found := [term for term in terms if _describes(build, term, mine)]:
+            mine += found
+            terms[:] = [term for term in terms if term not in found]
+    kept = tuple(Graphlet(tuple(t), g.main) for t, g in zip(left, conditions, strict=True))
+    return Graphlet(tuple(mine), trigger.main), kept
+
+
+def _describes(build: Build, term: Term, mine: list[Term]) -> bool:
+    """It is no claim of its own, and about something that these terms mention."""
+    mentioned = {t.name for t in mine} | {other for t in mine for _, other in t.links}
+    about = {term.name, *(other for _, other in term.links)}
+    return term.name not in build.claims and not about.isdisjoint(mentioned)
 
 
 def around(build: Build, alist: AList, tag: str) -> Operator:

@@ -79,6 +79,9 @@ def _graphlets(meaning: Meaning) -> Iterator[Graphlet]:
 def _words(meaning: Meaning) -> set[str]:
     """Lemmas, numbers and words of quoted speech, one word each."""
     words = set(meaning.name.split()) if isinstance(meaning, Identity) else set()
+    chain = _chain(meaning)
+    if chain is not None and any(chain.tagged("WAIT")):
+        words.add("wait")
     for graphlet in _graphlets(meaning):
         for term in graphlet:
             words |= {word for lex in term.lex for word in lex.split()}

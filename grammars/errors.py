@@ -27,3 +27,7 @@ class NotUnderstoodError(Exception):
         super().__init__(f"not understood: {text[:80]!r}")
         self.text, self.understood, self.nearest = text, understood, nearest
         self.unknown_words, self.asking = unknown_words, asking
+
+
+class NoMeaningError(Exception):
+    """A reading that the grammar allows and the net has no room for; the next reading is tried."""

@@ -130,7 +130,7 @@ def _may_be_name(token: Token, before: Piece | None, after: Sequence[Piece]) -> 
     if before is None:
         return "ADJ" in token.readings and words[:2] in NAMING
     told = token.piece.capital or before.text in CALLING
-    return told and not token.readings.keys().isdisjoint(("ADJ", "NOUN"))
+    return told and not token.readings.keys().isdisjoint(("ADJ", "NOUN", "NOUNS"))
 
 
 def variants(found: list[Piece], vocabulary: Vocabulary) -> Iterator[list[Piece]]:

@@ -12,6 +12,11 @@ from grammars.vocabulary import BORN
 SELF: Final = {"you": "you", "yourself": "you", "me": "me", "i": "me", "mine": "me", "yours": "you"}
 SELF_OWN: Final = {"my": "me", "your": "you"}
 OWNING: Final = {"his": "he", "her": "she", "its": "it", "their": "they", "our": "we"}
+ALIKE: Final = {"him": "he", "her": "she", "them": "they", "these": "this", "those": "that"}
+TIMES_OF_DAY: Final = frozenset("noon midnight night morning evening afternoon dawn dusk".split())
+ASKING: Final = frozenset(
+    "who what where when why how which whose may can could will would shall should is are do does did".split()
+)
 PERSONAL: Final = frozenset("him her he she".split())
 OF_WOMEN: Final = frozenset(("she", "her"))
 PERSON_WORDS: Final = frozenset("someone somebody anyone anybody nobody whoever".split()) | {
@@ -33,6 +38,7 @@ _FEMALE: Final = (
 _MALE: Final = frozenset("boy man father brother son uncle grandfather husband nephew".split())
 ANY_KIND: Final = frozenset(("thing", "object", "item", "stuff"))
 REFS: Final = {"the": "the", "this": "this", "that": "that", "these": "this", "those": "that"}
+VERB_SLOTS: Final = ("does", "gerund", "state", "states", "verb", "verbs")
 DEGREES: Final = {"all the way": "fully", "a little": "little", "a bit": "little"}
 PLACES: Final = {
     "to the left of": "left of",
@@ -103,6 +109,11 @@ def place_word(loc: AList) -> str:
     """The net's word for where something is: "next to" for beside."""
     word = loc.slot("prep") or ("between" if loc.has("between") else "for")
     return PLACES.get(word, word)
+
+
+def is_definite(np: AList) -> bool:
+    """The noun phrase is about something in particular."""
+    return np.slot("det") in REFS or any(np.has(part) for part in ("name", "own", "owner"))
 
 
 def is_person(np: AList) -> bool:

@@ -11,6 +11,8 @@ from collections.abc import Callable, Container, Sequence
 from dataclasses import dataclass
 from typing import Final
 
+from grammars.numerals import number
+
 TOKEN = re.compile(
     r"""(?P<quote>["“”][^"“”]*["“”])
       | (?P<number>\d+(?:\.\d+)?)
@@ -22,6 +24,7 @@ TOKEN = re.compile(
     re.VERBOSE,
 )
 THINKING: Final = (("you", "know"), ("like",), ("basically",), ("i", "guess"))
+OPENERS: Final = frozenset("well so okay oh hey now and robot please alright".split())
 FILLERS: Final = frozenset("uh um er erm uhm hmm ah eh mm huh umm uhh uhhh ummm err hm".split())
 WHOLE: Final = {
     "can't": "can not",
@@ -53,29 +56,21 @@ WHOLE: Final = {
     "till": "until",
     "til": "until",
     "firstly": "first",
+    "heres": "here is",
+    "hes": "he is",
+    "couldnt": "could not",
+    "wouldnt": "would not",
 }
 ENDINGS: Final = {"'m": "am", "'re": "are", "'ve": "have", "'ll": "will", "'d": "would"}
 # "it's" and "what's" are never possessives; other words with 's may be.
 IS_ONLY: Final = frozenset(
     "it that there he she name what where who how here when why this everything".split()
 )
-SMALL: Final = {
-    word: value
-    for value, word in enumerate(
-        "zero one two three four five six seven eight nine ten eleven twelve thirteen fourteen"
-        " fifteen sixteen seventeen eighteen nineteen".split()
-    )
-}
-TENS: Final = {
-    word: 10 * value
-    for value, word in enumerate(
-        "twenty thirty forty fifty sixty seventy eighty ninety".split(), start=2
-    )
-}
 # Categories whose words are put right one for one: "turn left no right". A verb takes all after it along.
 REPAIRABLE: Final = ("DIR", "ADV", "UNIT", "ADJ", "NOUN", "PROPER", "VERB")
 
 
+ABBREVIATED: Final = frozenset("mr mrs ms dr prof deg ft cm mm min mins sec secs".split())
 MOST_STAMMERED: Final = 3
 
 
@@ -118,7 +113,13 @@ def pieces(text: str) -> list[Piece]:
             found.append(Piece(kind, "," if kind == "comma" else raw, begin, end))
     while found and found[-1].kind in ("end", "comma"):
         found.pop()
+    found = [piece for at, piece in enumerate(found) if not _abbreviates(found[:at], piece)]
     return _numbers([piece for piece in found if piece.text not in FILLERS])
+
+
+def _abbreviates(before: Sequence[Piece], piece: Piece) -> bool:
+    """A full stop that ends no sentence: that of "Mr. Ito", "90 deg."."""
+    return piece.text == "." and bool(before) and before[-1].text in ABBREVIATED
 
 
 def _word(raw: str, begin: int, end: int, capital: bool) -> list[Piece]:
@@ -145,7 +146,7 @@ def _numbers(found: list[Piece]) -> list[Piece]:
     result: list[Piece] = []
     at = 0
     while at < len(found):
-        value, after = _number([piece.text for piece in found[at : at + 12]])
+        value, after = number([piece.text for piece in found[at : at + 12]])
         if after == 0 or (after == 1 and found[at].text in ("one", "a", "an")):
             result.append(found[at])
             at += 1
@@ -156,67 +157,6 @@ def _numbers(found: list[Piece]) -> list[Piece]:
     return result
 
 
-def _number(words: Sequence[str]) -> tuple[float, int]:
-    """Value of the number the words start with and how many words it takes; 0 words for none."""
-    special = _fraction(words)
-    if special[1]:
-        return special
-    total, current, at, hundred = 0.0, 0.0, 0, False
-    if words[:1] and words[0] in ("a", "an") and words[1:2] in (["hundred"], ["thousand"]):
-        current, at = 1.0, 1
-    while at < len(words):
-        word = words[at]
-        if word in SMALL and current % 10 == 0 and (current % 100 == 0 or SMALL[word] < 10):
-            current += SMALL[word]
-        elif word in TENS and current % 100 == 0:
-            current += TENS[word]
-        elif "-" in word and _hyphen(word) and current % 100 == 0:
-            current += _hyphen(word)
-        elif word == "hundred" and 0 < current < 10:
-            current, hundred = current * 100, True
-        elif word == "thousand" and 0 < current < 1000:
-            total, current = total + current * 1000, 0.0
-        elif word == "and" and hundred and words[at + 1 : at + 2] and _starts(words[at + 1]):
-            pass
-        else:
-            break
-        at += 1
-    if at and list(words[at : at + 3]) == ["and", "a", "half"]:
-        return total + current + 0.5, at + 3
-    if words[at : at + 1] == ["point"] and words[at + 1 : at + 2]:
-        tenth = SMALL.get(words[at + 1], 10)
-        if tenth < 10:
-            return total + current + tenth / 10, at + 2
-    return total + current, at
-
-
-def _starts(word: str) -> bool:
-    return word in SMALL or word in TENS or bool(_hyphen(word))
-
-
-def _hyphen(word: str) -> float:
-    ten, _, one = word.partition("-")
-    return TENS[ten] + SMALL[one] if ten in TENS and SMALL.get(one, 10) < 10 else 0.0
-
-
-def _fraction(words: Sequence[str]) -> tuple[float, int]:
-    for phrase, value in (
-        ("three quarters of a", 0.75),
-        ("half a", 0.5),
-        ("half an", 0.5),
-        ("a half", 0.5),
-        ("a quarter of a", 0.25),
-        ("quarter of a", 0.25),
-        ("a couple of", 2.0),
-        ("a couple", 2.0),
-        ("a dozen", 12.0),
-    ):
-        count = len(phrase.split())
-        if list(words[:count]) == phrase.split():
-            return value, count
-    return 0.0, 0
-
-
 def without_chat(found: Sequence[Piece]) -> list[Piece]:
     """Words said while thinking left out, at the beginning or beside a comma: "could you, like, turn left"."""
     for said in THINKING:
@@ -225,8 +165,10 @@ def without_chat(found: Sequence[Piece]) -> list[Piece]:
             if tuple(_texts(found[at:end])) != said:
                 continue
             before = at > 0 and found[at - 1].kind == "comma"
+            opening = all(piece.text in OPENERS for piece in found[:at])
+            closing = end == len(found) and said == ("you", "know")
             after = end < len(found) and found[end].kind == "comma"
-            if at == 0 or before or after:
+            if opening or closing or before or after:
                 return without_chat([*found[: at - before], *found[end + after :]])
     return list(found)
 

@@ -17,7 +17,7 @@ from grammars.ranking import Ranking, Tree, to_alist
 from grammars.registry import discover
 from kernel.memory.meaning import Meaning
 
-MOST_REPAIRED: Final = 2  # typos in one sentence
+MOST_REPAIRED: Final = 3  # typos in one sentence
 MOST_REPAIRS: Final = 9  # ways to repair them that are tried
 MOST_READ: Final = (
     40  # words of all attempts upon a sentence, before another way to repair it is tried

@@ -13,7 +13,9 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from grammars.alist import AList
+from grammars.errors import NoMeaningError
 from grammars.mentions import (
+    ALIKE,
     ANY_KIND,
     NOBODY,
     OWNING,
@@ -25,15 +27,14 @@ from grammars.mentions import (
     Thing,
     compounded,
     degree,
+    is_definite,
+    is_person,
     place_word,
 )
+from grammars.relatives import relative
 from grammars.vocabulary import BORN
 from kernel.memory.recall import PERSONS
 from kernel.net.graphlet import Graphlet, Sketch, Term
-
-
-class NoMeaningError(Exception):
-    """A reading that the grammar allows and the net has no room for; the next reading is tried."""
 
 
 @dataclass
@@ -50,6 +51,7 @@ class Things:
         negative: the clause being drawn had "nothing" or "nobody" in it.
         trigger: the pattern is what a deed is matched with: "somebody" may be anything there, as nobody need have
             said that Mary is a person before "greet Mary" greets somebody.
+        claims: predicates of the conditions.
         topic: subject of the sentence's first condition, or object of the deed that triggers.
     """
 
@@ -62,6 +64,7 @@ class Things:
     telling: bool = False
     trigger: bool = False
     topic: str = ""
+    claims: set[str] = field(default_factory=set)
 
     @contextmanager
     def drawing(self, pattern: bool, trigger: bool = False) -> Iterator[list[str]]:
@@ -86,6 +89,10 @@ class Things:
         terms = self.sketch.terms
         said = [name for name in self.board if terms[name] != Term(name)]
         return self.sketch.graphlet(main, *said)
+
+    def modifiers(self, act: str, action: AList, taken: str = "") -> None:
+        """What is said of how somebody does something: the business of who draws actions."""
+        raise NoMeaningError(str(action))
 
     def thing(self, np: AList, person: bool = False) -> str:
         """Node of the thing a noun phrase means."""
@@ -127,7 +134,7 @@ class Things:
         for thing in sorted(fitting, key=lambda thing: (thing.name != self.topic, thing.aside)):
             thing.person = thing.person or personal
             return thing.name
-        ref = {"him": "he", "her": "she", "them": "they"}.get(word, word)
+        ref = ALIKE.get(word, word)
         with self._own_board():
             name = self.add("obj", ref=ref)
             self._mention(Thing(name, person=personal))
@@ -161,10 +168,13 @@ class Things:
         if vague in NOBODY or det == "no":
             self.negative = True
         anybody = vague in PERSON_WORDS and self.trigger
+        of_owner = any(rel.find("owner_of", "of_owner") is not None for rel in np.all("rel"))
         ref = "somebody" if anybody else "one" if np.has("one") else REFS.get(det, "")
+        ref = "" if ref == "the" and of_owner else ref  # "the cup of Mary's brother" is his cup
         place = "PLACE" in BORN.readings(called)
         person = (bool(called) and not place) or person or kind in PERSONS or vague in PERSON_WORDS
-        new = self.telling and not called and not ref and not (np.has("own") or np.has("owner"))
+        owned = np.has("own") or np.has("owner") or of_owner
+        new = self.telling and not called and not ref and not owned
         with self._own_board(here=new):
             name = self.add("obj", *([called] if called else []), ref=ref)
             if kind and (kind not in ANY_KIND or ref):
@@ -175,7 +185,9 @@ class Things:
                 self.quality(name, qual)
             self.possessed(name, np)
             for rel in np.all("rel"):
-                self.relative(name, rel)
+                relative(self, name, rel)
+            if number := np.slot("num"):
+                self.add("cnt", literal=number, cnt=name)
         self._mention(Thing(name, kind, person, called))
         return name
 
@@ -190,6 +202,7 @@ class Things:
         """Say of what quality a thing is, in what degree; the node of that."""
         word = (
             qual.slot("hq")
+            or qual.slot("ako")
             or qual.slot("more")
             or qual.slot("most")
             or qual.slot("ord")
@@ -216,41 +229,20 @@ class Things:
             return self.add("own", own=name, of=self.thing(owner, person=True))
         return ""
 
-    def relative(self, name: str, rel: AList) -> None:
-        """Narrow a thing down: "that is not blue", "next to the wall", "on the left", "called Pookie"."""
-        if rel.has("name"):
-            self.sketch.change(name, lex=frozenset({rel.slot("name")}))
-        elif (pred := rel.find("pred")) is not None:
-            self.predicate(name, pred, rel.has("neg"))
-        elif rel.has("loc") or rel.has("side") or rel.has("compared"):
-            self.predicate(name, rel, negated=False)
-        elif rel.has("going") or rel.has("has_it"):
-            self._doing(name, rel)
-        elif (seen := rel.find("seen_by")) is not None:
-            verb = seen.slot("states") or seen.slot("state")
-            self.add("act", verb, agt=self._seer(seen), obj=name)
-        elif rel.has("gerund"):
-            self.add("act", rel.slot("gerund"), agt=self.oneself("you"), obj=name)
-        else:
-            raise NoMeaningError(str(rel))
+    def owned(self, name: str, owner: AList, negated: bool = False) -> str:
+        """Say that a thing is somebody's, or a part of something: "the ball of Mary's brother", "the end of the hall".
 
-    def _seer(self, seen: AList) -> str:
-        """Who sees, has or likes the thing: "the ball you see", "the cup Mary has"."""
-        if seen.has("name"):
-            return self.thing(seen, person=True)
-        return self.oneself("me" if seen.has("me") else "you")
-
-    def _doing(self, name: str, rel: AList) -> None:
-        """What a thing does or has: "who is holding a cup", "that has wheels"."""
-        going = rel.find("going") or rel
-        links = {"agt": name}
-        if (obj := going.find("np")) is not None:
-            links["obj"] = self.thing(obj)
-        verb = "have" if rel.has("has_it") else going.slot("gerund") or going.value or ""
-        self.add("act", verb, **links)
+        Returns the node of that.
+        """
+        whose = owner.find("np") or owner
+        if owner.name == "of_owner" and not (is_person(whose) or is_definite(whose)):
+            raise NoMeaningError(str(owner))
+        return self.add("own", own=name, of=self.thing(whose, person=True), negated=negated)
 
     def predicate(self, name: str, pred: AList, negated: bool) -> str:
         """Say something of a thing; the node of the predicate."""
+        if (made := pred.find("made_of")) is not None:
+            return self.quality(name, made, negated)
         if pred.has("qual"):
             main, *_ = [self.quality(name, part, negated) for part in pred.all("qual")]
             return main
@@ -277,7 +269,7 @@ class Things:
                 "loc", "in front of", loc=name, wrt=self.oneself("you"), negated=negated
             )
         if (belongs := pred.find("belongs")) is not None:
-            return self.add("own", own=name, of=self.thing(belongs, person=True), negated=negated)
+            return self.owned(name, belongs, negated)
         raise NoMeaningError(str(pred))
 
     def _kind_of(self, name: str, kindof: AList, negated: bool) -> str:

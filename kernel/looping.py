@@ -24,7 +24,8 @@ def looped(frame: Frame, loop: Loop) -> Run:
 
     The condition is watched all the time: once it ends the loop, the body ends in that very tick and the loop succeeds;
     where that is so at the start, it does so at once and nothing moves. "For each" takes its list when it begins,
-    newest mention first; there being none fails it. So do 100 rounds, one after another, that take no time.
+    newest mention first, no more than its number; there being none fails it. So do 100 rounds, one after another, that
+    take no time.
     """
     rounds = _rounds(frame, loop)
     if rounds is None:
@@ -74,7 +75,7 @@ def _rounds(frame: Frame, loop: Loop) -> Iterator[Binding] | None:
         if not found:
             frame.explain("nothing_found", None, missing(Directive("FIND", loop.each)))
             return None
-        return iter(found)
+        return iter(found[: loop.times])
     if loop.times is not None:
         return repeat(frame.binding, loop.times)
     return repeat(frame.binding)

@@ -44,11 +44,27 @@ def fact(alist: AList) -> Fact:
             teller = build.thing(taught.first("np"), person=True)
             main = build.add("act", "teach", agt=teller, dest=build.oneself("you"), cmd=act)
             return Fact(build.graphlet(main))
+    if (deed := alist.find("past_deed")) is not None:
+        return _past_deed(build, deed)
     said = alist.first("clause")
     _check_subject(said)
     with build.drawing(pattern=False):
         main = clause(build, said)
         told = build.graphlet(main)
+    return Fact(told, tuple(build.finds))
+
+
+def _past_deed(build: Build, deed: AList) -> Fact:
+    """What somebody did: "Rick grabbed the ball", "the ball was grabbed by Rick"."""
+    done = deed.find("did_it", "action") or AList("action", deed.parts)
+    if deed.has("np"):
+        _check_subject(deed)
+    with build.drawing(pattern=False):
+        agent = build.thing(AList("np", tuple(deed.all("name"))), person=True)
+        act = build.action(done)
+        build.sketch.link(act, "agt", agent)
+        build.sketch.change(act, negated=deed.has("neg"))
+        told = build.graphlet(act)
     return Fact(told, tuple(build.finds))
 
 
@@ -67,7 +83,7 @@ def _check_subject(said: AList) -> None:
     generic = (
         not any(subject.has(part) for part in known)
         or subject.slot("det") in ("a", "an", "any", "no")
-        or vague.startswith(("any", "every"))
+        or vague.startswith(("any", "every", "who"))
         or subject.slot("ako") == "name"
         or (vague and pred is not None and pred.has("kindof"))
     )

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from grammars.alist import AList
 from grammars.build import Build
-from grammars.clauses import enablement, exception
+from grammars.clauses import enablement, exception, settled
 from grammars.registry import sentence_form
 from kernel.action.chain import Chain, Directive
 from kernel.memory.lesson import Operator
@@ -23,12 +23,16 @@ EXAMPLES = (
 def permission(alist: AList) -> Teach:
     """An exception to what is forbidden."""
     build = Build()
+    first = alist.parts[0].name == "conds"
+    before = enablement(build, alist) if first else ()
     with build.drawing(pattern=True):
         trigger = build.graphlet(build.action(_once_more(alist.first("action", "gerunding"))))
+    if first:
+        trigger, before = settled(build, trigger, before)
     operator = Operator(
         Directive("ALLOW", trigger),
         Chain(),
-        enablement=enablement(build, alist),
+        enablement=before or enablement(build, alist),
         unless=exception(build, alist),
     )
     return Teach("permission", operator)

@@ -36,6 +36,9 @@ def procedure(alist: AList) -> Teach:
     if (made := alist.find("conds", "clause")) is not None:
         conds = made if made.name == "conds" else AList("conds", (made,))
         return _taught(build, alist, Directive("ACH", condition(build, conds)))
+    if (sought := _sought(alist)) is not None:
+        with build.drawing(pattern=True):
+            return _taught(build, alist, Directive("FIND", build.graphlet(build.thing(sought))))
     with build.drawing(pattern=True, trigger=True):
         if said is not None:
             act = build.add("act", said.slot("quote").lower())
@@ -43,6 +46,14 @@ def procedure(alist: AList) -> Teach:
             act = build.action(alist.first("action", "gerunding"))
         trigger = Directive("DO", build.graphlet(act))
     return _taught(build, alist, trigger)
+
+
+def _sought(alist: AList) -> AList | None:
+    """What "one way to find it" is about, as "to find it" is."""
+    action = alist.find("action")
+    if action is None or action.slot("act") != "find" or len(action.parts) > 2:
+        return None
+    return action.find("np")
 
 
 def _taught(build: Build, alist: AList, trigger: Directive) -> Teach:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from grammars.alist import AList
 from grammars.build import Build, NoMeaningError
-from grammars.clauses import enablement, exception
+from grammars.clauses import enablement, exception, settled
 from grammars.registry import sentence_form
 from kernel.action.chain import Chain, Directive, Play
 from kernel.memory.lesson import Operator
@@ -38,6 +38,8 @@ def prohibition(alist: AList) -> Teach:
     after = enablement(build, alist) if first != "conds" else ()
     instead = alist.find("chain")
     plays = () if instead is None else build.chain(instead).plays
+    if before:
+        trigger, before = settled(build, trigger, before)
     operator = Operator(
         Directive("ANTE", trigger),
         Chain((*plays, Play((Directive("PUNT"),)))),

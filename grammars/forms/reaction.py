@@ -31,6 +31,8 @@ def reaction(alist: AList) -> Teach:
     build = Build()
     if (conds := alist.find("conds")) is None:
         raise NoMeaningError("a reaction to the absence of something")
+    if alist.parts[0].name == "chain" and _asks_nothing(alist.parts[0]):
+        raise NoMeaningError("what follows is the question")
     trigger = condition(build, conds)
     chain = build.chain(alist.first("chain"))
     return Teach(
@@ -41,4 +43,12 @@ def reaction(alist: AList) -> Teach:
             unless=exception(build, alist),
             preference=preference(alist.slot("pref")),
         ),
+    )
+
+
+def _asks_nothing(chain: AList) -> bool:
+    """ "Ask Mary", before "if she is hungry": that is what she is to be asked."""
+    last = [part for part in chain.walk() if part.name == "speech"][-1:]
+    return any(
+        speech.has("ask") and not (speech.has("quote") or speech.has("asked_if")) for speech in last
     )

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from grammars.alist import AList
 from grammars.build import Build, NoMeaningError
-from grammars.clauses import told
+from grammars.clauses import exception, told
 from grammars.mentions import is_person
 from grammars.registry import sentence_form
 from kernel.action.chain import Chain, Directive, Play
@@ -57,4 +57,5 @@ def trust(alist: AList) -> Teach:
         if build.negative:
             raise NoMeaningError("nobody is no permission")
         return Teach("permission", Operator(Directive("ALLOW", both), Chain()))
-    return Teach("permission", Operator(Directive("ANTE", both), chain))
+    ways = exception(build, alist)
+    return Teach("permission", Operator(Directive("ANTE", both), chain, unless=ways))

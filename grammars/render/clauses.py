@@ -11,6 +11,7 @@ from grammars.morphology import article, comparative, past, third_person
 from grammars.render.deeds import be, deed
 from grammars.render.telling import SAYING, Telling, is_predicate, linked, word
 from grammars.render.things import (
+    PRONOUNS,
     description,
     kind,
     place,
@@ -18,6 +19,7 @@ from grammars.render.things import (
     quality,
     thing,
 )
+from grammars.vocabulary import BORN
 from kernel.net.graphlet import Graphlet, Term
 
 _ABSOLUTE: Final = {"my": "mine", "your": "yours", "her": "hers", "their": "theirs"}
@@ -75,14 +77,36 @@ def clause(telling: Telling, term: Term, hedge: str, others: Iterable[Term] = ()
     waiting = [t for t in others if t.negated and t.name not in telling.stated]
     with_kind = role == "ako" and not _picked_out(telling, name)
     later = telling.about(name, "hq", "loc", "own") if with_kind else []
+    if not with_kind:  # "the man in the red coat is Greg's uncle"
+        said = telling.about(name, "own" if role == "ako" else "hq")
+        later = [other for other in said if _is_told(telling, term, other)]
     telling.hold_back((*waiting, *later))
     subject = _subject(telling, name, term.negated)
     telling.release(later)
     rest = _COMPLEMENTS[role](telling, term)
+    if role == "hq":  # "red and small"
+        also = [other for other in telling.about(name, "hq") if _is_told(telling, term, other)]
+        also = [] if term.negated else [other for other in also if not other.negated]
+        rest = " and ".join([rest, *(_COMPLEMENTS[role](telling, other) for other in also)])
+        telling.hold_back(also)
     telling.release(waiting)
     denied = "not " if term.negated and subject not in ("nothing", "nobody") else ""
     verb = be(subject)
     return Clause(subject, verb, f"{verb} {denied}{adverb}{rest}", f"{denied}{adverb}{rest}")
+
+
+def _is_told(telling: Telling, term: Term, other: Term) -> bool:
+    """It is told of a known thing together with the other, and does not say which thing is meant."""
+    name = linked(term, next(role for role in SAYING if linked(term, role)))
+    return any(
+        g.main == term.name and other in g.terms and not _describes(g, name) for g in telling.claims
+    )
+
+
+def _describes(graphlet: Graphlet, name: str) -> bool:
+    """What the thing is stands in it as well, apart from what is told."""
+    said = (term for term in graphlet if term.name != graphlet.main)
+    return any(term.name == name or ("ako", name) in term.links for term in said)
 
 
 def _doing(telling: Telling, term: Term, adverb: str) -> Clause:
@@ -90,7 +114,7 @@ def _doing(telling: Telling, term: Term, adverb: str) -> Clause:
     subject = thing(telling, agent, "subject") if agent else "something"
     if subject == "they":  # rules want the singular verb: "he likely speaks Portuguese"
         subject = "she" if telling.term(agent).lex & WOMEN else "he"
-    done = deed(telling, term.name)
+    done = deed(telling, term.name, told=True)
     third = be(subject) == "is"
     verb = "does" if third else "do"
     if term.negated:
@@ -101,7 +125,8 @@ def _doing(telling: Telling, term: Term, adverb: str) -> Clause:
 
 def _picked_out(telling: Telling, name: str) -> bool:
     """True where the qualities of a thing say which one is meant, so that they stay with it and off its kind."""
-    return bool(telling.term(name).ref or telling.about(name, "ako"))
+    ref = telling.term(name).ref
+    return bool(ref and ref not in PRONOUNS) or bool(telling.about(name, "ako"))
 
 
 def _subject(telling: Telling, name: str, negated: bool) -> str:
@@ -127,7 +152,11 @@ def _asked_by(telling: Telling, name: str) -> list[Term]:
     """The kind of a thing and what somebody does with it, where no more is said of it."""
     term = telling.term(name)
     said = telling.about(name, "ako", "hq", "loc", "own")
-    acts = [act for act in telling.about(name, "obj") if linked(act, "agt")]
+    acts = [
+        act
+        for act in telling.about(name, "obj")
+        if linked(act, "agt") and telling.is_of(name, act.name)
+    ]
     whole = not term.lex and not term.ref and len(said) == len(acts) == 1 and linked(said[0], "ako")
     robot = any(telling.term(linked(act, "agt")).lex == {"you"} for act in acts)
     return [*said, *acts] if whole and not robot else []
@@ -153,7 +182,10 @@ def wonder(telling: Telling, name: str) -> str:
 def naming(telling: Telling, term: Term) -> Clause:
     """The thing is called so: the main node is no predicate but has a name."""
     subject = thing(telling, term.name, "subject")
-    rest = ("not " if term.negated else "") + proper(word(term))
+    called = "called " if BORN.readings(word(term)).keys() & {"NOUNS"} else ""
+    rest = ("not " if term.negated else "") + called + proper(word(term))
+    if subject == "it":  # "it is Rover" would be somebody speaking
+        subject = "its name"
     return Clause(subject, be(subject), f"{be(subject)} {rest}", rest)
 
 

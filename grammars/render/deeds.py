@@ -9,6 +9,7 @@ from grammars.chains import TIMES
 from grammars.morphology import gerund, past, plural, third_person
 from grammars.render.telling import Telling, linked, word
 from grammars.render.things import degree, literally, place, thing
+from kernel.memory.editing import OTHER_WAY
 from kernel.net.graphlet import Term
 
 VerbForm = Literal["base", "gerund", "third", "past"]
@@ -42,27 +43,36 @@ def be(subject: str) -> str:
     return {"I": "am", "you": "are", "they": "are", "we": "are"}.get(subject, "is")
 
 
-def deed(telling: Telling, name: str, form: VerbForm = "base") -> str:
-    """The action as a verb phrase: "drive forward 10 inches slowly", "turning left twice"."""
+def deed(telling: Telling, name: str, form: VerbForm = "base", told: bool = False) -> str:
+    """The action as a verb phrase: "drive forward 10 inches slowly", "turning left twice".
+
+    told: of somebody, who "gives the ball to Mary".
+    """
     term = telling.term(name)
     telling.stated.add(name)
-    words = [word(term) or "do something", *_arguments(telling, term), *_modifiers(telling, term)]
+    words = [
+        word(term) or "do something",
+        *_arguments(telling, term, told),
+        *_modifiers(telling, term),
+    ]
     return _FORMS[form](" ".join(words))
 
 
-def _arguments(telling: Telling, term: Term) -> list[str]:
+def _arguments(telling: Telling, term: Term, told: bool) -> list[str]:
     obj, dest, cmd = (linked(term, role) for role in ("obj", "dest", "cmd"))
     parts = []
     what = _object(telling, obj) if obj else ""
-    if dest and word(term) in _GIVING:
+    if dest and word(term) in ((*_TELLING, "teach") if told else _GIVING):
         parts += [thing(telling, dest), what]
     else:
         ways = [
-            degree(telling, way.name) + word(way)
+            degree(telling, way.name) + word(way).replace(OTHER_WAY, f"the {OTHER_WAY}")
             for way in telling.about(term.name, "dir")
             if not (word(way) in _APPROXIMATE and telling.about(term.name, "amt"))
         ]
-        leading = [way for way in ways if what and word(term) in _GOING and way in _LEADING]
+        leading = [
+            way for way in ways if what and word(term) in (*_GOING, "look") and way in _LEADING
+        ]
         parts += [*leading, what, *(way for way in ways if way not in leading)]
         parts += [f"to {thing(telling, dest)}" if dest else ""]
     if obj and word(term) in _SENSING:
@@ -114,5 +124,7 @@ def amounts(telling: Telling, name: str, verb: str = "wait") -> list[str]:
 def _amount(term: Term, verb: str) -> str:
     unit = word(term)
     number = term.literal or "1"
+    if not unit and verb == "count":
+        return f"to {number}"
     lasting = unit in TIMES and verb not in _WAITING
     return f"{'for ' if lasting else ''}{number} {unit if number == '1' else plural(unit)}"

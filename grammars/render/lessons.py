@@ -10,7 +10,7 @@ from grammars.hedges import BELIEF, PREFERENCE
 from grammars.morphology import plural
 from grammars.render.clauses import conditions, wonder, wonders
 from grammars.render.deeds import deed
-from grammars.render.procedures import procedure, without
+from grammars.render.procedures import claimed, procedure, without
 from grammars.render.telling import SAYING, Telling, Voice, is_predicate, linked, word
 from grammars.render.things import literally, pronoun, thing
 from grammars.vocabulary import BORN
@@ -36,6 +36,8 @@ def operator(content: Operator, voice: Voice) -> str:
     described = (*((trigger,) if trigger else ()), *tellings, *graphlets)
     claims = [g for g in content.unless if g not in tellings]
     telling = Telling(described, (*content.enablement, *claims), voice)
+    own = trigger.names if trigger else frozenset()
+    telling.hold_back(term for term in claimed(content.chain) if term.name not in own)
     match content.trigger.tag:
         case "DO":
             return _procedure(telling, content, _goal(telling, content))
@@ -146,10 +148,17 @@ def fact(content: Graphlet, finds: tuple[Graphlet, ...], voice: Voice) -> str:
     if main and not finds and len(content.terms) > 1 and not is_predicate(main):
         content, finds = _named(content, main)
     subjects = [other for role, other in main.links if role in SAYING] if main else []
-    if main and not main.negated and subjects and _is_new(content, finds, subjects[0]):
-        return f"there is {thing(Telling((*finds, content), (), voice), subjects[0])}"
+    if main and subjects and _is_new(content, finds, subjects[0]):
+        told = content.denied() if main.negated else content
+        said = thing(Telling((*finds, told), (), voice), subjects[0])
+        return f"there is {f'no {_bare(said)}' if main.negated else said}"
     belief = main.belief if main else 1.0
     return conditions(Telling(finds, (content,), voice), content, hedge(belief))
+
+
+def _bare(phrase: str) -> str:
+    """The noun phrase without its article."""
+    return phrase.removeprefix("an ").removeprefix("a ")
 
 
 def _named(content: Graphlet, main: Term) -> tuple[Graphlet, tuple[Graphlet, ...]]:

@@ -10,30 +10,37 @@ from grammars.render.deeds import VerbForm, deed
 from grammars.render.telling import Telling, is_predicate, linked
 from grammars.render.things import quality, thing
 from kernel.action.chain import Chain, Directive, Loop, Part, Play
-from kernel.net.graphlet import Graphlet
+from kernel.net.graphlet import Graphlet, Term
 
 
-def procedure(telling: Telling, chain: Chain, form: VerbForm = "base") -> str:
+def procedure(
+    telling: Telling,
+    chain: Chain,
+    form: VerbForm = "base",
+    mentioned: frozenset[str] = frozenset(),
+) -> str:
     """The chain as verb phrases: "drive forward then turn left while saying \\"left\\""."""
-    telling.hold_back(
-        term for graphlet in _watched(chain) for term in graphlet if is_predicate(term)
-    )
+    telling.hold_back(claimed(chain))
     spoken = {
         name
         for directive in chain.directives()
         if directive.graphlet
         for name in directive.graphlet.mentioned
         if (directive.tag, name) != ("FIND", directive.graphlet.main)
-    }
+    } | mentioned
     looked_up = [find.main for find in chain.tagged("FIND")]
     plays = (_play(telling, _by_mention(play, looked_up), form, spoken) for play in chain.plays)
     return " then ".join(filter(None, plays))
 
 
+def claimed(chain: Chain) -> Iterator[Term]:
+    """What is to become so, or to be found out: no description of anything yet."""
+    return (term for graphlet in _watched(chain) for term in graphlet if is_predicate(term))
+
+
 def _watched(chain: Chain) -> Iterator[Graphlet]:
-    """What is to become so: no description of anything yet."""
     for directive in chain.directives():
-        if directive.tag in ("ACH", "KEEP", "WAIT") and directive.graphlet is not None:
+        if directive.tag in ("ACH", "CHK", "KEEP", "WAIT") and directive.graphlet is not None:
             yield directive.graphlet
     for play in chain.plays:
         for part in (*play.required, *play.auxiliary):
@@ -80,6 +87,9 @@ def _by_mention(play: Play, looked_up: list[str]) -> Play:
 
 
 def _play(telling: Telling, play: Play, form: VerbForm, spoken: set[str]) -> str:
+    if (until := _kept_until(play)) is not None:
+        kept, ended = until
+        return f"{_kept_so(telling, kept, 'keep')} until {conditions(telling, ended)}"
     required = [_part(telling, part, form, spoken) for part in play.required]
     beside = [_part(telling, part, "gerund", spoken) for part in play.auxiliary]
     together = " and ".join(filter(None, required))
@@ -117,6 +127,14 @@ def _part(telling: Telling, part: Part, form: VerbForm, spoken: set[str]) -> str
     return deed(telling, main, form)
 
 
+def _kept_until(play: Play) -> tuple[Graphlet, Graphlet] | None:
+    """What is to be kept so, and until when, where the play is nothing else."""
+    match [*play.required, *play.auxiliary]:
+        case [Directive("WAIT", Graphlet() as ended), Directive("KEEP", Graphlet() as kept)]:
+            return kept, ended
+    return None
+
+
 def _kept_so(telling: Telling, graphlet: Graphlet, verb: str) -> str:
     """ "Keep the gripper closed"."""
     term = telling.term(graphlet.main)
@@ -128,10 +146,13 @@ def _kept_so(telling: Telling, graphlet: Graphlet, verb: str) -> str:
 def _loop(telling: Telling, loop: Loop) -> str:
     """ "Repeat turn left then turn right 3 times"; one play alone needs no "repeat" before "until" and "while"."""
     if loop.each is not None:
+        if loop.times is not None:
+            telling.count(loop.each.main, loop.times)
         if not _taken(loop):
             each = thing(telling, loop.each.main)
-            return f"for {each}, {procedure(telling, loop.body)}"
-        return procedure(telling, loop.body)
+            said = procedure(telling, loop.body, mentioned=loop.each.mentioned)
+            return f"for {each}, {said}"
+        return procedure(telling, loop.body, mentioned=loop.each.mentioned)
     if loop.times is None and loop.until is None and loop.whilst is None:
         return f"keep {procedure(telling, loop.body, 'gerund')}"
     if loop.whilst is not None and _plain(loop.body) and _meant(loop):

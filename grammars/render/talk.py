@@ -8,7 +8,7 @@ from grammars.render.deeds import deed
 from grammars.render.procedures import procedure
 from grammars.render.telling import Telling, Voice
 from grammars.render.things import pronoun, proper, thing
-from kernel.memory.editing import OTHER_WAY, alteration
+from kernel.memory.editing import alteration
 from kernel.memory.meaning import Control, Feedback, Identity, Revision, Social
 
 _MANNERS: Final = {"hello": "hello", "thanks": "thank you", "bye": "goodbye", "sorry": "sorry"}
@@ -66,9 +66,15 @@ def revision(meaning: Revision, voice: Voice) -> str:
     if (change := alteration(meaning.chain)) is not None:
         bare = next((t.literal for t in change if t.kind == "amt" and not t.lex), None)
         how = bare or deed(telling, change.main).removeprefix("do something ")
-        return f"make it {how.replace(OTHER_WAY, 'the other way')}"
+        return f"make it {how}"
     if not meaning.chain.plays and old is not None:
         return f"leave out {deed(telling, old.main, 'gerund')}"
+    if (
+        old is None
+        and meaning.of is None
+        and all(d.tag == "FIND" for d in meaning.chain.directives())
+    ):
+        return f"no, {thing(telling, found[-1].main)}"
     steps = procedure(telling, meaning.chain)
     if meaning.of is not None:
         you = pronoun(telling, "you", "subject")

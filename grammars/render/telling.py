@@ -94,6 +94,16 @@ class Telling:
         """Some graphlet is about it, so it is told as a sentence or step of its own."""
         return any(graphlet.main == name for graphlet in (*self.described, *self.claims))
 
+    def count(self, name: str, number: int) -> None:
+        """Speak of so many things instead of each of them."""
+        self.terms[name] = replace(self.term(name), ref="")
+        self._add(Term(f"cnt-{name}", literal=str(number), links=(("cnt", name),)))
+
+    def is_of(self, main: str, name: str) -> bool:
+        """Some graphlet about the one has the other as a term."""
+        known = (*self.described, *self.claims)
+        return any(graphlet.main == main and name in graphlet.names for graphlet in known)
+
     def hold_back(self, terms: Iterable[Term]) -> None:
         """Keep predicates out of noun phrases until they are released or told."""
         self.stated |= {term.name for term in terms}

@@ -4,8 +4,17 @@ from __future__ import annotations
 
 from typing import Final, Literal
 
-from grammars.morphology import article, comparative, gerund, plural, superlative, third_person
+from grammars.morphology import (
+    article,
+    comparative,
+    gerund,
+    past,
+    plural,
+    superlative,
+    third_person,
+)
 from grammars.render.telling import Telling, linked, word
+from grammars.vocabulary import BORN
 from kernel.memory.recall import PERSONS
 from kernel.net.graphlet import Term
 
@@ -19,6 +28,7 @@ PRONOUNS: Final = {
     "he": ("he", "him", "his"),
     "she": ("she", "her", "her"),
     "they": ("they", "them", "their"),
+    "we": ("we", "us", "our"),
     "that": ("that", "that", "its"),
     "this": ("this", "this", "its"),
 }
@@ -82,7 +92,14 @@ def quality(telling: Telling, term: Term) -> str:
         return superlative(word(term))
     if any(word(d) == "more" for d in degrees):
         return comparative(word(term))
-    return "".join(_DEGREES.get(word(d), word(d)) + " " for d in degrees) + word(term)
+    said = "".join(_DEGREES.get(word(d), word(d)) + " " for d in degrees) + word(term)
+    return f"made of {said}" if _is_material(term) else said
+
+
+def _is_material(term: Term) -> bool:
+    """What something is made of, where no adjective says so: wood, but not glass."""
+    known = BORN.readings(word(term))
+    return "NOUN" in known and "ADJ" not in known
 
 
 def kind(telling: Telling, term: Term) -> str:
@@ -120,16 +137,26 @@ def description(telling: Telling, name: str, noun: str) -> tuple[str, str, str]:
             after.append(f"that is not {quality(telling, term)}")
         elif other:
             after.append(f"that is {comparative(word(term))} than {thing(telling, other)}")
+        elif _is_material(term):
+            after.append(f"that is {quality(telling, term)}")
         else:
             plain.append(quality(telling, term))
     after += [place(telling, term) for term in telling.take(name, "loc")]
     for term in telling.take(name, "ako"):
-        after.append(f"that is not {with_kind(telling, term)}")
+        owners = [linked(own, "of") for own in telling.take(name, "own")]
+        whose = thing(telling, owners[0], "possessive") if owners else ""
+        said = f"{whose} {kind(telling, term)}" if whose else with_kind(telling, term)
+        after.append(f"that is not {said}")
     for term in _doings(telling, name):
         agent = linked(term, "agt")
         who = thing(telling, agent, "subject")
+        if dest := linked(term, "dest"):
+            after.append(f"{who} {past(word(term))} {thing(telling, dest)}")
+            continue
         does = {"I": f"am {gerund(word(term))}", "you": f"are {gerund(word(term))}"}
-        after.append(f"{who} {does.get(who) or third_person(word(term))}")
+        done = third_person if "STATE" in BORN.readings(word(term)) else past
+        after.append(f"{who} {does.get(who) or done(word(term))}")
+    after += [_at_it(telling, term) for term in _own_doings(telling, name)]
     nouns = [kind(telling, term) for term in kinds] or [noun]
     return " ".join(plain), nouns[0], " ".join([*(f"that is a {n}" for n in nouns[1:]), *after])
 
@@ -145,6 +172,28 @@ def _doings(telling: Telling, name: str) -> list[Term]:
     return found
 
 
+def _own_doings(telling: Telling, name: str) -> list[Term]:
+    """What the thing itself does, where that says which one and can be said in a word or two."""
+    found = [
+        term
+        for term in telling.about(name, "agt")
+        if {role for role, _ in term.links} <= {"agt", "obj"}
+        and not telling.is_main(term.name)
+        and not any(term.name in {o for _, o in other.links} for other in telling.terms.values())
+    ]
+    telling.hold_back(found)
+    return found
+
+
+def _at_it(telling: Telling, term: Term) -> str:
+    """ "That is holding a cup", "that has a wheel"."""
+    known = BORN.readings(word(term))
+    stays = "STATE" in known and "VERB" not in known
+    verb = third_person(word(term)) if stays else f"is {gerund(word(term))}"
+    done = f"that {verb} {thing(telling, linked(term, 'obj')) if linked(term, 'obj') else ''}"
+    return f"{done.strip()}"
+
+
 def with_kind(telling: Telling, term: Term) -> str:
     """A kind behind its article."""
     noun = kind(telling, term)
@@ -157,14 +206,15 @@ def _first(telling: Telling, term: Term) -> str:
         return proper(word(term))
     if (ref in PRONOUNS or ref == "somebody") and not described(telling, name):
         return ref
-    owners = [linked(own, "of") for own in telling.take(name, "own")]
+    denied = any(kind.negated for kind in telling.about(name, "ako"))  # "that is not my dad"
+    owners = [] if denied else [linked(own, "of") for own in telling.take(name, "own")]
     whose = thing(telling, owners[0], "possessive") if owners else ""
     bare = "" if ref in ("", "somebody") and not owners else "one" if ref == "one" else "thing"
-    before, noun, after = description(telling, name, bare)
+    numbers = [count.literal or "" for count in telling.take(name, "cnt")]
+    before, noun, after = description(telling, name, "thing" if numbers else bare)
     if not noun:
         vague = "somebody" if ref == "somebody" else "something"
         return " ".join(filter(None, (vague, before, after)))
-    numbers = [count.literal or "" for count in telling.take(name, "cnt")]
     phrase = " ".join(filter(None, (*numbers, before, plural(noun) if numbers else noun, after)))
     if whose:
         return f"{whose} {phrase}"

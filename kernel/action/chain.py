@@ -104,7 +104,7 @@ class Loop:
 
     Attributes:
         body: what is repeated.
-        times: so often, or None.
+        times: so often, or None; with each, for so many of them at most.
         until: it ends, and succeeds, as soon as this is so, even in the middle of the body.
         whilst: the same as soon as this is not so: false or unknown.
         each: once for each known thing of this description, its main name bound to the thing.

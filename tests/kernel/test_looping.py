@@ -260,6 +260,13 @@ def test_for_each_known_thing_of_the_description_newest_first(robot: Any) -> Non
     assert "small" in grabbed(robot)[1]
 
 
+def test_for_so_many_of_them_at_most(robot: Any) -> None:
+    for shape in ("small", "round", "flat"):
+        block(robot, "red", shape)
+    robot.do(loop(GRAB, f"times: 2; {BLOCKS.format('red')}"))
+    assert [text.split()[3] for text in grabbed(robot)] == ["flat", "round"]
+
+
 def test_the_list_is_taken_when_it_begins(robot: Any) -> None:
     block(robot, "red", "small")
     robot.command(loop(GRAB, BLOCKS.format("red")))

@@ -1,0 +1,61 @@
+"""Relative clauses and what else narrows a thing down, into nets."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Final
+
+from grammars.alist import AList
+from grammars.errors import NoMeaningError
+from grammars.mentions import SELF, VERB_SLOTS
+
+if TYPE_CHECKING:
+    from grammars.things import Things
+
+# Where something is brought, and not where it is.
+LEADING: Final = ("into", "onto", "through", "past", "out of", "away from")
+
+
+def relative(build: Things, name: str, rel: AList) -> None:
+    """Narrow a thing down: "that is not blue", "next to the wall", "on the left", "called Pookie"."""
+    if rel.has("name"):
+        build.sketch.change(name, lex=frozenset({rel.slot("name")}))
+    elif (pred := rel.find("pred")) is not None:
+        build.predicate(name, pred, rel.has("neg"))
+    elif (made := rel.find("made_of")) is not None:
+        build.quality(name, made)
+    elif (owner := rel.find("owner_of", "of_owner")) is not None:
+        build.owned(name, owner)
+    elif (loc := rel.find("loc")) is not None and loc.slot("prep") in LEADING:
+        raise NoMeaningError(str(rel))
+    elif rel.has("loc") or rel.has("side") or rel.has("compared"):
+        build.predicate(name, rel, negated=False)
+    elif any(rel.has(part) for part in ("going", "has_it", "habit", "habit_s")):
+        _doing(build, name, rel)
+    elif (seen := rel.find("seen_by")) is not None:
+        verb = seen.slot("states") or seen.slot("state")
+        links = {"agt": _seer(build, seen), "obj": name}
+        if receiver := seen.slot("pron"):
+            links["dest"] = build.oneself(SELF[receiver])
+        build.add("act", verb, **links)
+    elif rel.has("gerund"):
+        build.add("act", rel.slot("gerund"), agt=build.oneself("you"), obj=name)
+    else:
+        raise NoMeaningError(str(rel))
+
+
+def _seer(build: Things, seen: AList) -> str:
+    """Who sees, has or likes the thing: "the ball you see", "the cup Mary has"."""
+    if seen.has("name"):
+        return build.thing(seen, person=True)
+    return build.oneself("me" if seen.has("me") else "you")
+
+
+def _doing(build: Things, name: str, rel: AList) -> None:
+    """What a thing does or has: "who is holding a cup", "that has wheels"."""
+    going = rel.find("going", "habit", "habit_s") or rel
+    links = {"agt": name}
+    if (obj := going.find("np")) is not None:
+        links["obj"] = build.thing(obj)
+    verb = next(filter(None, map(going.slot, VERB_SLOTS)), going.value or "")
+    act = build.add("act", "have" if rel.has("has_it") else verb, **links)
+    build.modifiers(act, going)
