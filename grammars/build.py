@@ -40,6 +40,7 @@ from kernel.net.graphlet import Graphlet
 __all__ = ["Build", "NoMeaningError", "particles"]
 
 WONDERS: Final = {"what_like": "hq", "what_kind": "ako", "whereabout": "loc"}
+UNQUOTED: Final = frozenset("it them that this at to from for along out".split())
 VOICES: Final = {"loud": "loudly", "quiet": "quietly"}
 STEP: Final = "step"
 LETTING_GO: Final = ("release", "drop")  # everything: all that it holds
@@ -210,8 +211,13 @@ class Build(Things):
         if "dest" not in links and verb == "tell":  # "tell everyone dinner is ready"
             verb = "say"
         act = self.add("act", verb, **links)
-        for voice in speech.first("say", "tell", "ask"):  # "shout", "whisper"
-            self.add("mod", VOICES[voice.name], mod=act)
+        for voice in speech.first(
+            "say", "tell", "ask"
+        ):  # "shout", "whisper"; "shout it out" says no "it out"
+            if speech.slot("quote").lower().partition(" ")[0] in UNQUOTED:
+                raise NoMeaningError(str(speech))
+            if voice.name in VOICES:
+                self.add("mod", VOICES[voice.name], mod=act)
         self.modifiers(act, speech)
         return act
 

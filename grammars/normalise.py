@@ -71,6 +71,7 @@ REPAIRABLE: Final = ("DIR", "ADV", "UNIT", "ADJ", "NOUN", "PROPER", "VERB")
 
 
 ABBREVIATED: Final = frozenset("mr mrs ms dr prof deg ft cm mm min mins sec secs".split())
+COUNTING: Final = frozenset("there is are was were has have had with see means say".split())
 MOST_STAMMERED: Final = 3
 
 
@@ -214,6 +215,8 @@ def repaired_by_speaker(
         for at in range(1, len(texts) - len(marker)):
             if texts[at : at + len(marker)] != marker:
                 continue
+            if marker == ["no"] and texts[at - 1] in COUNTING:
+                continue  # "there are no free lunches"
             before = [piece for piece in found[:at] if piece.kind != "comma"]
             after = [piece for piece in found[at + len(marker) :] if piece.kind != "comma"]
             return _put_right(before, after, sorts) if after else before

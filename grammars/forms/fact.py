@@ -7,7 +7,7 @@ from typing import Final
 from grammars.alist import AList
 from grammars.build import Build, NoMeaningError
 from grammars.clauses import clause
-from grammars.mentions import OWNING
+from grammars.mentions import OWNING, is_definite
 from grammars.registry import sentence_form
 from kernel.memory.meaning import Fact
 from kernel.net.graphlet import Graphlet, Term
@@ -48,6 +48,7 @@ def fact(alist: AList) -> Fact:
         return _past_deed(build, deed)
     said = alist.first("clause")
     _check_subject(said)
+    _check_absence(said)
     with build.drawing(pattern=False):
         main = clause(build, said)
         told = build.graphlet(main)
@@ -66,6 +67,17 @@ def _past_deed(build: Build, deed: AList) -> Fact:
         build.sketch.change(act, negated=deed.has("neg"))
         told = build.graphlet(act)
     return Fact(told, tuple(build.finds))
+
+
+def _check_absence(said: AList) -> None:
+    """What there is none of, there is none of somewhere: "there is no milk in the fridge", but no free lunch at all."""
+    exists = said.find("exists")
+    thing = exists.find("np") if exists is not None else None
+    if exists is None or thing is None or not (exists.has("neg") or thing.slot("det") == "no"):
+        return
+    places = [loc for rel in thing.all("rel") for loc in rel.all("loc")]
+    if not any(is_definite(np) for loc in places for np in loc.all("np")):
+        raise NoMeaningError(str(said))
 
 
 def _check_subject(said: AList) -> None:

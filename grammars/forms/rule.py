@@ -30,6 +30,8 @@ def rule(alist: AList) -> Teach:
     """A rule whose condition is a clause or the subject of a generic sentence."""
     build = Build()
     generic, conclusion = alist.find("generic"), alist.find("conclusion")
+    if generic is not None and "one" in (generic.slot("ako"), generic.value):
+        raise NoMeaningError("nobody in particular")
     if generic is not None:
         condition_, thing = _kind(build, generic)
         said = alist
