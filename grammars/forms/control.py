@@ -13,7 +13,10 @@ EXAMPLES = (
     "stop",
     "halt right now",
     "stop turning",
+    "would you stop complaining",
+    "you can stop now",
     "never mind",
+    "you don't have to fetch the cup any more",
     "undo that",
     "undo everything from today",
     "forget how to dance",
@@ -25,7 +28,9 @@ EXAMPLES = (
     "replace it",
     "Repeat that.",
     "go on",
+    "continue dancing",
     "what did you learn today",
+    "tell me everything you learned today",
     "what did Mary teach you",
     "forget everything about the red block",
     "forget everything you learned today",
@@ -48,6 +53,8 @@ def control(alist: AList) -> Control:
     with build.drawing(pattern=True):
         if (thing := (forget or alist.find("learned") or alist).find("np")) is not None:
             return Control(act, build.graphlet(build.thing(thing)))
-    about = (forget or alist).find("action", "gerunding")
+    named = (forget or alist.find("cancel", "resume") or alist).all("action", "gerunding", "act")
+    if len(named) > 1:
+        return Control(act)
     with build.drawing(pattern=True, trigger=True):  # "greet somebody", as it was taught
-        return Control(act, None if about is None else build.graphlet(build.action(about)))
+        return Control(act, build.graphlet(build.action(named[0])) if named else None)

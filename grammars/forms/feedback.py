@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 from grammars.alist import AList
+from grammars.build import NoMeaningError
 from grammars.registry import sentence_form
+from grammars.vocabulary import BORN
 from kernel.memory.meaning import Feedback
 
 EXAMPLES = (
@@ -16,13 +18,30 @@ EXAMPLES = (
     "that was not a very smart thing to do",
     "i like how you turned left",
     "you turned too far",
+    "you carried that very carefully",
+    "you dropped it again",
+    "I don't think that was very clever",
 )
 
 
 @sentence_form("feedback", "feedback", EXAMPLES)
 def feedback(alist: AList) -> Feedback:
     """Good or bad, and whether it halts what is going on."""
-    verdict = alist.find("verdict")
-    if verdict is not None:
-        return Feedback(verdict.has("bad") == verdict.has("neg"))
-    return Feedback(alist.has("praise"), stop=alist.has("halting_blame"))
+    if alist.has("halting_blame"):
+        return Feedback(good=False, stop=True)
+    said = alist.first("verdict", "praise", "blame")
+    if said.name != "verdict":
+        return Feedback(said.name == "praise")
+    turned = said.has("neg") != alist.has("doubt")  # "i don't think that was bad"
+    return Feedback(_is_good(said) != turned)
+
+
+def _is_good(verdict: AList) -> bool:
+    """What the words say, before "not" turns it."""
+    if (topmost := verdict.find("topmost")) is None:
+        return not verdict.has("bad")
+    peaks = (part.value or "" for part in topmost.walk() if part.name in ("most", "hq"))
+    known = BORN.readings(next(peaks, "good"))
+    if not known.keys() & {"GOOD", "BAD"}:
+        raise NoMeaningError(str(verdict))
+    return "GOOD" in known

@@ -24,6 +24,7 @@ _STEERING: Final = {
     "repeat": "repeat that",
     "learned": "what did you learn today",
 }
+_OF_WHAT: Final = {"stop": "stop", "cancel": "never mind about", "resume": "go back to"}
 
 
 def social(meaning: Feedback | Identity | Social, voice: Voice) -> str:
@@ -43,8 +44,9 @@ def control(meaning: Control, voice: Voice) -> str:
         return _STEERING[meaning.act]
     telling = Telling((meaning.about,), (), voice)
     main = meaning.about.main
-    if meaning.act == "stop":
-        return f"stop {deed(telling, main, 'gerund')}"
+    if meaning.act in _OF_WHAT:
+        what = deed(telling, main, "gerund") if main.startswith("act") else thing(telling, main)
+        return f"{_OF_WHAT[meaning.act]} {what}"
     if meaning.act == "learned":
         me = "me" in telling.term(main).lex
         who = pronoun(telling, "me", "subject") if me else thing(telling, main)
@@ -69,12 +71,8 @@ def revision(meaning: Revision, voice: Voice) -> str:
         return f"make it {how}"
     if not meaning.chain.plays and old is not None:
         return f"leave out {deed(telling, old.main, 'gerund')}"
-    if (
-        old is None
-        and meaning.of is None
-        and all(d.tag == "FIND" for d in meaning.chain.directives())
-    ):
-        return f"no, {thing(telling, found[-1].main)}"
+    if meaning.of is None and found and all(d.tag == "FIND" for d in meaning.chain.directives()):
+        return f"I meant {thing(telling, found[-1].main)}"
     steps = procedure(telling, meaning.chain)
     if meaning.of is not None:
         you = pronoun(telling, "you", "subject")
