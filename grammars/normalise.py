@@ -23,7 +23,8 @@ TOKEN = re.compile(
       | (?P<other>\S)""",
     re.VERBOSE,
 )
-THINKING: Final = (("you", "know"), ("like",), ("basically",), ("i", "guess"))
+SIGHS: Final = tuple((word,) for word in "ugh ouch ow wow aw argh phew gosh geez yikes".split())
+THINKING: Final = (("you", "know"), ("like",), ("basically",), ("i", "guess"), *SIGHS)
 OPENERS: Final = frozenset("well so okay oh hey now and robot please alright".split())
 FILLERS: Final = frozenset("uh um er erm uhm hmm ah eh mm huh umm uhh uhhh ummm err hm".split())
 WHOLE: Final = {
@@ -159,7 +160,7 @@ def _numbers(found: list[Piece]) -> list[Piece]:
 
 
 def without_chat(found: Sequence[Piece]) -> list[Piece]:
-    """Words said while thinking left out, at the beginning or beside a comma: "could you, like, turn left"."""
+    """Words said while thinking or sighing left out, at the beginning or beside a comma: "could you, like, turn left"."""
     for said in THINKING:
         for at in range(len(found) - len(said) + 1):
             end = at + len(said)
