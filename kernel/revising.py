@@ -21,6 +21,7 @@ from kernel.memory.editing import (
     alteration,
     altered,
     has_step,
+    keeping,
     with_more,
     with_other_end,
     with_other_step,
@@ -46,8 +47,12 @@ def revise(commons: Commons, focus: Focus, revision: Revision) -> Run:
     if edited is not None:
         return (yield from _edit(commons, focus, *edited))
     command = commons.recent.command
-    if (change := alteration(revision.chain)) is not None:
-        chain = altered(command.chain, change) if command is not None else None
+    if revision.chain.tagged("KEEP") and not revision.chain.tagged("DO"):
+        if command is None:
+            return _nothing(commons)
+        return (yield from _instead(commons, focus, keeping(command.chain, revision.chain)))
+    if alteration(revision.chain) is not None:
+        chain = altered(command.chain, revision.chain) if command is not None else None
         return _nothing(commons) if chain is None else (yield from _instead(commons, focus, chain))
     fits = revision.instead_of is None or (
         command is not None and has_step(command.chain, revision.instead_of)
@@ -70,38 +75,42 @@ def _edited(commons: Commons, revision: Revision) -> tuple[Lesson, Operator] | N
         for lesson, operator in _named(commons, revision.of):
             if old is None:
                 return lesson, with_more(operator, revision.chain, last=revision.last)
-            if (changed := with_other_step(operator, old, revision.chain)) is not None:
+            changed = with_other_step(operator, old, revision.chain, revision.beside)
+            if changed is not None:
                 return lesson, changed
         return None
     if old is None:
         taught = None if commanded else _taught(commons)
         if taught is None or not isinstance(taught.content, Operator):
             return None
-        if (change := alteration(revision.chain)) is not None:
-            other = altered(taught.content.chain, change)
+        if revision.last:
+            return taught, with_more(taught.content, revision.chain, last=True)
+        if alteration(revision.chain) is not None:
+            other = altered(taught.content.chain, revision.chain)
             return None if other is None else (taught, replace(taught.content, chain=other))
         changed = with_other_end(taught.content, revision.chain)
         return None if changed is None else (taught, changed)
     likely = [recent.deed, _taught(commons)]
     for guess in likely if commanded else reversed(likely):
-        if (found := _with_step(commons, guess, old, revision.chain)) is not None:
+        if (found := _with_step(commons, guess, revision)) is not None:
             return found
     if commanded and recent.command is not None and has_step(recent.command.chain, old):
         return None
     for lesson in reversed(list(commons.lessons.values())):
-        if (found := _with_step(commons, lesson, old, revision.chain)) is not None:
+        if (found := _with_step(commons, lesson, revision)) is not None:
             return found
     return None
 
 
 def _with_step(
-    commons: Commons, lesson: Lesson | None, old: Graphlet, new: Chain
+    commons: Commons, lesson: Lesson | None, revision: Revision
 ) -> tuple[Lesson, Operator] | None:
     if lesson is None or lesson.ident <= INNATE or lesson.ident not in commons.lessons:
         return None
-    if not isinstance(lesson.content, Operator):
+    old = revision.instead_of
+    if old is None or not isinstance(lesson.content, Operator):
         return None
-    changed = with_other_step(lesson.content, old, new)
+    changed = with_other_step(lesson.content, old, revision.chain, revision.beside)
     return None if changed is None else (lesson, changed)
 
 

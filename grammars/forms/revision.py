@@ -2,108 +2,215 @@
 
 from __future__ import annotations
 
+from typing import Final
+
 from grammars.alist import AList
 from grammars.build import Build, NoMeaningError
 from grammars.registry import sentence_form
 from kernel.action.chain import Chain, Directive, Play, sequence
 from kernel.memory.editing import OTHER_WAY
-from kernel.memory.meaning import Revision
+from kernel.memory.meaning import Beside, Revision
 from kernel.net.graphlet import Graphlet
 
 EXAMPLES = (
     "no raise the lift instead",
     "when you cha-cha drive backwards first",
     "when you cha-cha say thank you at the end",
+    "when you cha-cha, say hooray instead of thank you",
     "Actually, drive forward five inches instead of ten.",
+    "go to the door instead of the wall",
     "not the red one the blue one",
+    "I meant the yellow mug, not the white one.",
     "you should say good evening instead of good day",
     "turn right instead of turning left",
+    "you should have turned right",
     "make it slower",
+    "faster",
     "no, the other way",
+    "do that again but with the gripper closed",
     "leave out the turn",
+    "skip the last step",
+    "the first step of the dance should be turn left",
+    "add a one second wait between the two steps",
     "change the left turn to a right turn",
 )
+# What is less of it.
+SLOWER: Final = {
+    "fast": "slowly",
+    "quickly": "slowly",
+    "slow": "fast",
+    "slowly": "fast",
+    "loudly": "quietly",
+    "quietly": "loudly",
+    "loud": "quietly",
+    "quiet": "loudly",
+    "hard": "gently",
+    "gently": "hard",
+}
 
 
 @sentence_form("revision", "revision", EXAMPLES)
 def revision(alist: AList) -> Revision:
     """What to do, instead of what, when doing what."""
     build = Build()
+    of = None
+    if (whole := alist.find("old")) is not None:
+        with build.drawing(pattern=True):
+            of = build.graphlet(build.action(whole.find("action", "gerunding") or whole))
     if alist.has("new_words"):
-        return _words(build, alist)
-    if (altered := alist.find("altered")) is not None:
+        return _words(build, alist, of)
+    if (keeping := alist.find("keeping")) is not None:
+        return Revision(build.chain(_alone(keeping)))
+    altered, beside = alist.find("altered"), alist.find("beside")
+    if altered is not None:
         return Revision(_altered(build, altered))
-    old, instead = alist.find("old"), alist.find("stepping", "gerunding", "action")
-    with build.drawing(pattern=True):
-        of = build.graphlet(build.action(old.first("action"))) if old is not None else None
-    with build.drawing(pattern=True):
-        if instead is None:
-            instead = _other_amount(alist)
-        replaced = build.graphlet(build.action(instead)) if instead is not None else None
-    chain = alist.find("chain")
-    if (replacing := alist.find("replacing")) is not None:
-        chain = AList("chain", (AList("play", (AList("action", replacing.parts),)),))
+    replaced = _replaced(build, alist if beside is None else beside)
+    chain = _new_steps(alist)
     if chain is not None:
         steps = build.chain(chain)
     elif alist.has("stepping"):
         steps = Chain(())
     else:
-        things = alist.all("np") or [_one(part) for part in alist.all("qual")]
-        if not things:
+        replaced, steps = _things(build, alist)
+    where: Beside = "" if beside is None else "after" if beside.has("behind") else "before"
+    if alist.has("at_start") and of is None:
+        with build.drawing(pattern=True):
+            replaced, where = _at(build, "first"), "before"
+    adding = alist.has("adding") and replaced is None and of is None
+    return Revision(steps, replaced, of, last=alist.has("at_end") or adding, beside=where)
+
+
+def _alone(part: AList) -> AList:
+    """A chain of that alone."""
+    return AList("chain", (AList("play", (part,)),))
+
+
+def _new_steps(alist: AList) -> AList | None:
+    """What is to be done: in so many words, or as what should have been, or by its name: "a turn"."""
+    if (chain := alist.find("chain")) is not None:
+        if alist.has("plain_no") and _is_bare(chain):
             raise NoMeaningError(str(alist))
-        replaced, steps = _things(build, things)
-    return Revision(steps, replaced, of, last=alist.has("at_end"))
+        return chain
+    if (named := alist.find("did_it", "replacing", "adding")) is not None:
+        return _alone(AList("action", (named.find("action") or named).parts))
+    return None
+
+
+def _is_bare(chain: AList) -> bool:
+    """Nothing but a verb to begin with: "no rest for the wicked", which are no orders."""
+    action = chain.first("play").find("action")
+    return action is not None and all(part.name in ("act", "place") for part in action)
+
+
+def _replaced(build: Build, alist: AList) -> Graphlet | None:
+    """The description of the step that is meant: as it was, by its name, or by its place."""
+    for part in alist:  # beside what it is to come
+        if part.name in ("ahead_of", "behind"):
+            return _replaced(build, part)
+    with build.drawing(pattern=True):
+        if alist.has("amid"):
+            return _at(build, "second")
+        step = alist.find("stepping", "gerunding", "action") or _as_it_was(alist)
+        if step is None:
+            return None
+        if (nth := step.find("nth")) is not None:
+            return _at(build, nth.slot("ord"))
+        return build.graphlet(build.action(step))
+
+
+def _at(build: Build, place: str) -> Graphlet:
+    """The step in that place of the chain."""
+    step = build.add("act")
+    build.add("hq", place, hq=step)
+    return build.graphlet(step)
+
+
+def _as_it_was(alist: AList) -> AList | None:
+    """The new action with a part as it was before: "drive forward 5 inches instead of 10", "go to the door instead of
+    the wall"."""
+    was, steps = alist.find("was"), _new_steps(alist)
+    action = steps.all("play")[-1].find("action") if was is not None and steps is not None else None
+    if was is None or action is None:
+        return None
+    old = was.find(
+        "place", "dest", "amt", "num", "cnt", "manner", "dir", "size", "np", "qual", "owner"
+    )
+    at = -1 if old is None else _place(action, old.name)
+    if old is None or at < 0:
+        raise NoMeaningError(str(alist))
+    new = action.parts[at]
+    if old.name == "num":
+        old = AList("amt", tuple(old if p.name == "num" else p for p in new.parts))
+    elif new.name == "dest" and old.name == "np":
+        old = AList("dest", (old,))
+    elif new.name == "iobj" and old.name == "np":
+        old = AList("iobj", (old,))
+    return AList(action.name, (*action.parts[:at], old, *action.parts[at + 1 :]))
+
+
+def _place(action: AList, name: str) -> int:
+    """Where in the action the part of that sort is that was named last; -1 if there is none."""
+    sorts = {"np": ("np", "dest", "iobj"), "num": ("amt",)}.get(name, (name,))
+    return max((at for at, part in enumerate(action) if part.name in sorts), default=-1)
 
 
 def _altered(build: Build, altered: AList) -> Chain:
     """A step of no verb: the last one, with these modifiers in the place of those that it had."""
-    with build.drawing(pattern=True):
+    with build.drawing(pattern=not altered.has("place")):
         act = build.add("act")
         if (num := altered.find("num")) is not None:
             build.add("amt", literal=num.value, amt=act)
         elif altered.has("other_way"):
             build.add("dir", OTHER_WAY, dir=act)
+        elif (not_so := altered.find("not_so")) is not None:
+            way = SLOWER.get(not_so.slot("adv") or not_so.slot("hq"))
+            if way is None:
+                raise NoMeaningError(str(altered))
+            more = AList("manner", (AList("faster", (AList("adv", value=way),)),))
+            build.modifiers(act, AList("altered", (more,)))
         else:
             build.modifiers(act, altered)
-        return sequence(Directive("DO", build.graphlet(act)))
+        step = Directive("DO", build.graphlet(act))
+    return Chain((*build.looked_up(), Play((step,))))
 
 
-def _one(quality: AList) -> AList:
-    """ "Red" is "the red one"."""
-    return AList("np", (AList("det", value="the"), quality, AList("one", value="one")))
-
-
-def _other_amount(alist: AList) -> AList | None:
-    """The action with the amount it had before: "drive forward 5 inches instead of 10"."""
-    was, chain = alist.find("num", "amt"), alist.find("chain")
-    play = chain.all("play")[-1] if was is not None and chain is not None else None
-    action = play.find("action") if play is not None else None
-    now = action.find("amt") if action is not None else None
-    if was is None or action is None or now is None:
-        return None
-    if was.name == "num":
-        was = AList("amt", tuple(was if p.name == "num" else p for p in now.parts))
-    return AList(action.name, tuple(was if p is now else p for p in action.parts))
-
-
-def _words(build: Build, alist: AList) -> Revision:
+def _words(build: Build, alist: AList, of: Graphlet | None) -> Revision:
     """Other words to be said."""
     parts = []
     for slot in ("new_words", "old_words"):
         with build.drawing(pattern=True):
-            txt = build.add("txt", literal=alist.first(slot).slot("quote"))
+            said = alist.first(slot)
+            txt = build.add("txt", literal=said.value or said.slot("quote") or said.slot("quoted"))
             parts.append(build.graphlet(build.add("act", "say", obj=txt)))
-    return Revision(sequence(Directive("DO", parts[0])), parts[1])
+    return Revision(sequence(Directive("DO", parts[0])), parts[1], of)
 
 
-def _things(build: Build, things: list[AList]) -> tuple[Graphlet | None, Chain]:
+def _one(described: AList) -> AList:
+    """ "Red" is "the red one", "Mary's" is Mary's one."""
+    whose = described if described.name == "owner" else AList("det", value="the")
+    quality = (described,) if described.name == "qual" else ()
+    return AList("np", (whose, *quality, AList("ako", value="one")))
+
+
+def _thing(alist: AList) -> AList | None:
+    """The thing that is named, by itself, as where to go, or by a quality or an owner alone."""
+    part = alist.find("np", "dest", "qual", "owner")
+    if part is None or part.name == "np":
+        return part
+    return part.first("np") if part.name == "dest" else _one(part)
+
+
+def _things(build: Build, alist: AList) -> tuple[Graphlet | None, Chain]:
     """Another thing: "not the red one the blue one"; the chain holds its look-up alone."""
-    replaced = None
-    if len(things) > 1:
+    was, new, replaced = alist.find("was"), _thing(alist), None
+    old = None if was is None else _thing(was)
+    if new is None:
+        raise NoMeaningError(str(alist))
+    if old is not None:
         with build.drawing(pattern=True):
-            replaced = build.graphlet(build.thing(things[0]))
+            replaced = build.graphlet(build.thing(old))
     with build.drawing(pattern=False):
-        build.thing(things[-1])
+        build.thing(new)
     if not build.finds:
         raise NoMeaningError("another thing that is the same")
     return replaced, Chain(tuple(Play((Directive("FIND", find),)) for find in build.finds))

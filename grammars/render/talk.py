@@ -8,7 +8,7 @@ from grammars.render.deeds import deed
 from grammars.render.procedures import procedure
 from grammars.render.telling import Telling, Voice
 from grammars.render.things import pronoun, proper, thing
-from kernel.memory.editing import alteration
+from kernel.memory.editing import ORDER, OTHER_WAY, alteration
 from kernel.memory.meaning import Control, Feedback, Identity, Revision, Social
 
 _MANNERS: Final = {"hello": "hello", "thanks": "thank you", "bye": "goodbye", "sorry": "sorry"}
@@ -68,15 +68,31 @@ def revision(meaning: Revision, voice: Voice) -> str:
     if (change := alteration(meaning.chain)) is not None:
         bare = next((t.literal for t in change if t.kind == "amt" and not t.lex), None)
         how = bare or deed(telling, change.main).removeprefix("do something ")
-        return f"make it {how}"
-    if not meaning.chain.plays and old is not None:
-        return f"leave out {deed(telling, old.main, 'gerund')}"
+        return f"make it {how.replace(OTHER_WAY, 'the other way')}"
     if meaning.of is None and found and all(d.tag == "FIND" for d in meaning.chain.directives()):
         return f"I meant {thing(telling, found[-1].main)}"
+    if meaning.chain.tagged("KEEP") and not meaning.chain.tagged("DO"):
+        return f"do it again while {procedure(telling, meaning.chain, 'gerund')}"
+    if meaning.of is None:
+        return _correction(telling, meaning)
+    you = pronoun(telling, "you", "subject")
+    return f"when {you} {deed(telling, meaning.of.main)}, {_correction(telling, meaning)}"
+
+
+def _correction(telling: Telling, meaning: Revision) -> str:
+    """What is to be done, instead of what or beside what."""
+    old, no = meaning.instead_of, "" if meaning.of is not None else "no, "
+    at = None if old is None else next((o for t in old for o in ORDER if o in t.lex), None)
+    step = "" if old is None else f"the {at} step" if at else deed(telling, old.main, "gerund")
+    if not meaning.chain.plays:
+        return f"leave out {step}"
     steps = procedure(telling, meaning.chain)
-    if meaning.of is not None:
-        you = pronoun(telling, "you", "subject")
-        return f"when {you} {deed(telling, meaning.of.main)}, {steps} {'at the end' if meaning.last else 'first'}"
-    if old is None:
-        return f"no, {steps} instead"
-    return f"no, {steps} instead of {deed(telling, old.main, 'gerund')}"
+    if meaning.beside:
+        return f"add {steps} {meaning.beside} {step}"
+    if at:
+        return f"make {step} {steps}"
+    if old is not None:
+        return f"{no}{steps} instead of {step}"
+    if meaning.of is None:
+        return f"add {steps} at the end" if meaning.last else f"no, {steps} instead"
+    return f"{steps} {'at the end' if meaning.last else 'first'}"

@@ -4,21 +4,43 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable
 from dataclasses import replace
+from typing import Final
 
 from kernel.action.chain import Chain, Directive, Loop, Part, Play
 from kernel.memory.lesson import Operator, graphlets
 from kernel.memory.likeness import OPPOSITES, covers
+from kernel.memory.meaning import Beside
 from kernel.memory.notation import mapped
 from kernel.net.graphlet import Graphlet, Term
 
 OTHER_WAY = "other way"  # "no, the other way": the opposite direction of the one the step had
+ORDER: Final = {
+    word: at
+    for at, word in enumerate(
+        "first second third fourth fifth sixth seventh eighth ninth tenth".split()
+    )
+} | {"last": -1}
 ONE = frozenset(("one",))  # "the blue one": of whatever kind the other one is
 
 
-def with_other_step(operator: Operator, old: Graphlet, new: Chain) -> Operator | None:
-    """The operator with `new` in the place of every step that the description `old` fits; None if none does."""
-    drawn = tuple(graphlets(operator))
-    return _with(operator, lambda step: covers(old, drawn, step), new)
+def with_other_step(
+    operator: Operator, old: Graphlet, new: Chain, beside: Beside = ""
+) -> Operator | None:
+    """The operator with `new` in the place of every step that the description `old` fits, or beside it; None if none
+    does."""
+    meant = _meant(old, operator.chain, tuple(graphlets(operator)))
+    return _with(operator, meant, new, beside)
+
+
+def _meant(old: Graphlet, chain: Chain, drawn: Iterable[Graphlet]) -> Callable[[Graphlet], bool]:
+    """Whether a step is meant by the description: "turning left", "the last step"."""
+    head, drawn = old.head, tuple(drawn)
+    place = next((o for t in old for o in ORDER if o in t.lex and ("hq", old.main) in t.links), "")
+    if head is None or head.lex or not place:
+        return lambda step: covers(old, drawn, step)
+    steps = chain.tagged("DO")
+    chosen = steps[ORDER[place]] if -len(steps) <= ORDER[place] < len(steps) else None
+    return lambda step: step is chosen
 
 
 def with_other_end(operator: Operator, new: Chain) -> Operator | None:
@@ -49,13 +71,14 @@ def alteration(new: Chain) -> Graphlet | None:
     return steps[0] if head is not None and not head.lex and not head.links else None
 
 
-def altered(chain: Chain, change: Graphlet) -> Chain | None:
-    """The chain with these modifiers of its last step in the place of its own of the same sort; None if none fits."""
-    steps = chain.tagged("DO")
-    if not steps or not steps[-1].head:
+def altered(chain: Chain, new: Chain) -> Chain | None:
+    """The chain with the modifiers of that step of no verb in its last step, in the place of its own of the same sort;
+    None if none fits. What they need is looked up first."""
+    steps, new = chain.tagged("DO"), _fresh(new, chain.graphlets())
+    change = alteration(new)
+    if not steps or not steps[-1].head or change is None:
         return None
     last = steps[-1]
-    change = _fresh_graphlet(change, chain.graphlets())
     change = change.renamed({change.main: last.main})
     roles = {role for t in change for role, other in t.links if other == last.main}
     had = {t.name: t for t in last if any(r in roles and to == last.main for r, to in t.links)}
@@ -65,7 +88,8 @@ def altered(chain: Chain, change: Graphlet) -> Chain | None:
     gone = {t.name for t in last if t.name in had or any(to in had for _, to in t.links)}
     kept = [t for t in last if t.name not in gone]
     whole = Graphlet((*kept, *(t for t in terms if t is not None)), last.main)
-    return _mapped(chain, lambda d: (Directive("DO", whole),) if d.graphlet is last else None)
+    other = _mapped(chain, lambda d: (Directive("DO", whole),) if d.graphlet is last else None)
+    return Chain((*(Play((d,)) for d in new.directives() if d.tag == "FIND"), *other.plays))
 
 
 def _like(new: Term, had: Iterable[Term]) -> Term | None:
@@ -79,10 +103,19 @@ def _like(new: Term, had: Iterable[Term]) -> Term | None:
     return new
 
 
+def keeping(chain: Chain, kept: Chain) -> Chain:
+    """The chain with what is to be kept so during its last play, looked up before."""
+    kept = _fresh(kept, chain.graphlets())
+    keeps = tuple(Directive("KEEP", graphlet) for graphlet in kept.tagged("KEEP"))
+    finds = (Play((Directive("FIND", graphlet),)) for graphlet in kept.tagged("FIND"))
+    *before, last = chain.plays
+    return Chain((*before, *finds, replace(last, auxiliary=(*last.auxiliary, *keeps))))
+
+
 def has_step(chain: Chain, old: Graphlet) -> bool:
     """Whether the description fits one of its steps."""
     drawn = [d.graphlet for d in chain.directives() if d.graphlet]
-    return any(covers(old, drawn, step) for step in chain.tagged("DO"))
+    return any(map(_meant(old, chain, drawn), chain.tagged("DO")))
 
 
 def with_other_thing(chain: Chain, old: Graphlet | None, new: Graphlet) -> Chain | None:
@@ -108,19 +141,27 @@ def _kindless(described: Graphlet) -> Graphlet:
     return Graphlet(tuple(t for t in described if t.lex != ONE), described.main)
 
 
-def _with(operator: Operator, is_old: Callable[[Graphlet], bool], new: Chain) -> Operator | None:
+def _with(
+    operator: Operator, is_old: Callable[[Graphlet], bool], new: Chain, beside: Beside = ""
+) -> Operator | None:
     new = _fresh(new, graphlets(operator))
     gone: list[Graphlet] = []
+    found = False
 
     def swap(directive: Directive) -> tuple[Part, ...] | None:
         step = directive.graphlet
+        nonlocal found
         if directive.tag != "DO" or step is None or not is_old(step):
             return None
+        found = True
+        if beside:
+            more = tuple(_parts(new))
+            return (*more, directive) if beside == "before" else (directive, *more)
         gone.append(step)
         return tuple(_parts(_heir(new, step)))
 
     chain = _mapped(operator.chain, swap)
-    return replace(operator, chain=_pruned(chain, gone)) if gone else None
+    return replace(operator, chain=_pruned(chain, gone)) if found else None
 
 
 def _parts(chain: Chain) -> Iterable[Part]:

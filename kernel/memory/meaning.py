@@ -114,17 +114,22 @@ class Choice:
     described: Graphlet
 
 
+Beside = Literal["", "before", "after"]
+
+
 @dataclass(frozen=True, slots=True)
 class Revision:
     """A correction of the last command or lesson.
 
-    Do this (chain) instead of that (instead_of), or when doing that verb (of): first, or last.
+    Do this (chain) instead of that (instead_of), or when doing that verb (of): first, or last; or beside that, which
+    stays: before or after it. A chain of nothing but KEEP is what is to be so meanwhile.
     """
 
     chain: Chain
     instead_of: Graphlet | None = None
     of: Graphlet | None = None
     last: bool = False
+    beside: Beside = ""
 
 
 Meaning = (

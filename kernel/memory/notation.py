@@ -68,8 +68,8 @@ def write_meaning(meaning: Meaning) -> tuple[str, ...]:
             return (act, *((write(about),) if about else ()), *again)
         case Choice(described):
             return (write(described),)
-        case Revision(chain, instead_of, of, last):
-            parts = [("instead of", instead_of), ("of", of)]
+        case Revision(chain, instead_of, of, last, beside):
+            parts = [(beside or "instead of", instead_of), ("of", of)]
             said = tuple(f"{label}:\n{write(g)}" for label, g in parts if g)
             return (write(chain), *said, *(("last",) * last))
 

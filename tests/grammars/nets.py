@@ -447,11 +447,17 @@ trustings, aliases, news = _with(_trusting), _with(_alias), _with(_news)
 
 
 def _revision(draft: Draft) -> Meaning:
-    """Other steps: instead of a deed, of the last ones, or more of them within a deed."""
-    sort = draft.one_of("instead of", "instead", "first", "last")
+    """Other steps: instead of a deed, of the last ones, or more of them within a deed, or beside a step."""
+    sort = draft.one_of("instead of", "instead", "first", "last", "at the end", "before", "after")
     steps = Chain((draft.turning(),))
-    if sort == "instead":
-        return Revision(steps)
+    if sort in ("instead", "at the end"):
+        return Revision(steps, last=sort == "at the end")
+    if sort in ("before", "after"):
+        step = draft.add("act")
+        draft.add("hq", draft.one_of("first", "second", "last"), hq=step)
+        return Revision(
+            steps, draft.graphlet(step), beside="before" if sort == "before" else "after"
+        )
     old = draft.graphlet(draft.add("act", draft.one_of("dance", "cha-cha")))
     if sort == "instead of":
         return Revision(steps, old)

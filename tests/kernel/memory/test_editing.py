@@ -5,14 +5,16 @@ import pytest
 from kernel.action.chain import Chain
 from kernel.memory.editing import (
     has_step,
+    keeping,
     with_more,
     with_other_end,
     with_other_step,
     with_other_thing,
 )
 from kernel.memory.lesson import Operator
+from kernel.memory.meaning import Beside
 from kernel.memory.notation import canonical, read, read_chain
-from kernel.net.graphlet import Graphlet
+from kernel.net.graphlet import Graphlet, Term
 
 
 def lines(text: str) -> str:
@@ -74,6 +76,33 @@ def test_another_step(before: str, old: str, new: str, after: str) -> None:
     assert changed is not None
     assert changed.preference == 1.2
     assert canonical(changed) == canonical(operator(after))
+
+
+def place(word: str) -> Graphlet:
+    at = Term("hq-2", frozenset((word,)), links=(("hq", "act-1"),))
+    return Graphlet((Term("act-1"), at), "act-1")
+
+
+@pytest.mark.parametrize(
+    ("word", "beside", "after"),
+    [
+        pytest.param("last", "", f"{LEFT}; {TWICE_THERE}", id="the last step otherwise"),
+        pytest.param("first", "before", f"{TWICE_THERE}; {LEFT}; {RIGHT}", id="one before it"),
+        pytest.param("first", "after", f"{LEFT}; {TWICE_THERE}; {RIGHT}", id="one after it"),
+        pytest.param("third", "", None, id="there is no such step"),
+    ],
+)
+def test_a_step_by_its_place(word: str, beside: Beside, after: str | None) -> None:
+    before = operator(f"{LEFT}; {RIGHT}")
+    changed = with_other_step(before, place(word), chain(TWICE), beside)
+    assert (changed and canonical(changed)) == (after and canonical(operator(after)))
+
+
+def test_what_is_to_be_so_meanwhile_is_looked_up_and_kept() -> None:
+    kept = chain(f"{CUP}; KEEP[ hq-1 -lex- closed; -hq-> obj-7 ]")
+    whole = keeping(chain(f"{LEFT}; {RIGHT}"), kept)
+    assert [d.tag for d in whole.directives()] == ["DO", "FIND", "DO", "KEEP"]
+    assert len(whole.plays[-1].auxiliary) == 1
 
 
 def test_a_step_is_replaced_wherever_it_stands() -> None:
