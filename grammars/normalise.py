@@ -160,7 +160,7 @@ def _numbers(found: list[Piece]) -> list[Piece]:
 
 
 def without_chat(found: Sequence[Piece]) -> list[Piece]:
-    """Sighs and words said while thinking left out, at the beginning or beside a comma: "could you, like, turn left"."""
+    """Sighs and words of thinking left out, at the beginning or beside a comma: "could you, like, turn left"."""
     for said in THINKING:
         for at in range(len(found) - len(said) + 1):
             end = at + len(said)
