@@ -35,6 +35,7 @@ from kernel.memory.recent import Saying
 from kernel.memory.reply import FactTaken, Greeted, Met, NothingToDo
 from kernel.memory.teacher import in_own_name
 from kernel.memory.wondering import is_thing
+from kernel.memory.working import WorkingMemory
 from kernel.net.graphlet import Graphlet
 from kernel.net.match import Binding
 from kernel.net.node import Node
@@ -162,6 +163,9 @@ def _content(mind: Listener, commons: Commons, focus: Focus, heard: Heard) -> Ru
             return (yield from frame.directive(Directive("ASK")))
         case Choice(described):
             _choose(commons, focus, described)
+        case Identity(name, robot=True):
+            _call_itself(commons.memory, name)
+            commons.replies.append(Met(name, robot=True))
         case Identity(name):
             mind.speaker = name
             commons.memory.person_speaking(name)
@@ -201,6 +205,14 @@ def _control(mind: Listener, commons: Commons, focus: Focus, control: Control) -
             if control.about is not None:
                 stop_doing(commons, focus, control.about)
     return Verdict.SUCCEEDED
+
+
+def _call_itself(memory: WorkingMemory, name: str) -> None:
+    """What the robot is called from now on."""
+    for former in memory.me.lex - {"you"}:
+        memory.net.unname(memory.me, former)
+    memory.net.name(memory.me, name)
+    memory.changed()
 
 
 def _choose(commons: Commons, focus: Focus, described: Graphlet) -> None:

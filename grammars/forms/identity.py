@@ -8,7 +8,13 @@ from grammars.registry import sentence_form
 from grammars.vocabulary import BORN
 from kernel.memory.meaning import Identity
 
-EXAMPLES = ("i am rick", "this is mary speaking", "My name is Freddy.", "it's me janey")
+EXAMPLES = (
+    "i am rick",
+    "this is mary speaking",
+    "My name is Freddy.",
+    "it's me janey",
+    "call me Captain",
+)
 
 
 @sentence_form("identity", "identity", EXAMPLES)

@@ -97,9 +97,11 @@ def _new_steps(alist: AList) -> AList | None:
 
 
 def _is_bare(chain: AList) -> bool:
-    """Nothing but a verb to begin with: "no rest for the wicked", which are no orders."""
+    """Nothing but a verb to begin with: "no rest for the wicked", "no thank you"."""
     action = chain.first("play").find("action")
-    return action is not None and all(part.name in ("act", "place") for part in action)
+    return action is not None and all(
+        part.name in ("act", "place") or part.slot("pron") == "you" for part in action
+    )
 
 
 def _replaced(build: Build, alist: AList) -> Graphlet | None:

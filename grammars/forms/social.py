@@ -8,7 +8,7 @@ from grammars.alist import AList
 from grammars.registry import sentence_form
 from kernel.memory.meaning import Social
 
-EXAMPLES = ("hello robot", "Thank you!", "good morning", "see you later")
+EXAMPLES = ("hello robot", "Thank you!", "good morning", "see you later", "see you in an hour")
 ACTS: tuple[Literal["hello", "thanks", "bye", "sorry"], ...] = ("hello", "thanks", "bye", "sorry")
 
 

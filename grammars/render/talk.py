@@ -30,8 +30,10 @@ _OF_WHAT: Final = {"stop": "stop", "cancel": "never mind about", "resume": "go b
 def social(meaning: Feedback | Identity | Social, voice: Voice) -> str:
     """Manners, praise and blame, and names, as they are said to the robot."""
     match meaning:
+        case Identity(name, robot=True):
+            return f"{'my' if voice == 'robot' else 'your'} name is {proper(name)}"
         case Identity(name):
-            return f"{'you are' if voice == 'robot' else 'I am'} {proper(name)}"
+            return f"{'you are' if voice == 'robot' else 'my name is'} {proper(name)}"
         case Social(act):
             return _MANNERS[act]
         case Feedback(good, stop):

@@ -86,7 +86,7 @@ def _told(asked: Question, graphlet: Graphlet) -> str:
     if _is_act(graphlet) and asked.topic in ("doing", "did"):
         return act_in_words(graphlet, (), "gerund" if asked.topic == "doing" else "past")
     if asked.ask == "who" and "you" in main.lex:
-        return "I am the robot"
+        return f"I am {proper(min(main.lex - {'you'}, default='')) or 'the robot'}"
     if asked.topic == "identity":
         return proper(min(main.lex - {"me", "you"}, default="somebody"))
     if is_predicate(main):

@@ -64,9 +64,10 @@ class Feedback:
 
 @dataclass(frozen=True, slots=True)
 class Identity:
-    """The speaker says who he is: "I am Rick". name as said, lower case."""
+    """The speaker says who he is: "I am Rick"; or what the robot is called. name as said, lower case."""
 
     name: str
+    robot: bool = False
 
 
 @dataclass(frozen=True, slots=True)

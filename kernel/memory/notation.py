@@ -59,8 +59,8 @@ def write_meaning(meaning: Meaning) -> tuple[str, ...]:
             return (head, write(about), *((write(chain),) if chain else ()))
         case Feedback(good, stop):
             return ("good" if good else "bad", *(("stop",) if stop else ()))
-        case Identity(name):
-            return (f"user-1 -lex- {name}",)
+        case Identity(name, robot):
+            return (f"{'obj' if robot else 'user'}-1 -lex- {name}",)
         case Social(act):
             return (act,)
         case Control(act, about, _, told):

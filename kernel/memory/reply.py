@@ -114,9 +114,10 @@ class Saw:
 
 @dataclass(frozen=True, slots=True)
 class Met:
-    """The speaker is now known under this name; "" forgets him."""
+    """The speaker is now known under this name, "" forgets him; or the robot is."""
 
     name: str
+    robot: bool = False
 
 
 @dataclass(frozen=True, slots=True)

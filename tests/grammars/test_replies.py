@@ -141,6 +141,12 @@ GIRLS = Rule(
         ),
         pytest.param(Met("rick"), "Hello Rick.", "Hello Rick.", id="met"),
         pytest.param(
+            Met("pixel", robot=True),
+            "Okay, my name is Pixel.",
+            "Okay, my name is Pixel.",
+            id="named",
+        ),
+        pytest.param(
             Met(""),
             "Okay, I don't know who you are now.",
             "Okay, I don't know who you are now.",

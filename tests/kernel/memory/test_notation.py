@@ -278,6 +278,7 @@ DRIVE = _act("drive")
         (Question("what", DRIVE, DRIVE.main, "did"), ("ASK what did act-1", "act-1 -lex-  drive")),
         (Feedback(good=False, stop=True), ("bad", "stop")),
         (Identity("rick"), ("user-1 -lex- rick",)),
+        (Identity("pixel", robot=True), ("obj-1 -lex- pixel",)),
         (Social("hello"), ("hello",)),
         (Control("forget", DRIVE), ("forget", "act-1 -lex-  drive")),
         (Revision(Chain(), instead_of=DRIVE), ("", "instead of:\nact-1 -lex-  drive")),
