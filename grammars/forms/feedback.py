@@ -38,9 +38,9 @@ def feedback(alist: AList) -> Feedback:
 
 def _is_good(verdict: AList) -> bool:
     """What the words say, before "not" turns it."""
-    if (topmost := verdict.find("topmost")) is None:
+    if (finest := verdict.find("finest")) is None:
         return not verdict.has("bad")
-    peaks = (part.value or "" for part in topmost.walk() if part.name in ("most", "hq"))
+    peaks = (part.value or "" for part in finest.walk() if part.name in ("most", "hq"))
     known = BORN.readings(next(peaks, "good"))
     if not known.keys() & {"GOOD", "BAD"}:
         raise NoMeaningError(str(verdict))
