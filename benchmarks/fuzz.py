@@ -21,6 +21,7 @@ from statistics import median, quantiles
 
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
 
+from benchmarks._timing import timed
 from grammars.errors import NotUnderstoodError
 from grammars.parse import grammar, parse
 from grammars.render import render
@@ -41,17 +42,20 @@ class Found:
     understood: list[tuple[str, str, str]] = field(default_factory=list)
 
     def read(self, text: str) -> None:
-        began_s = time.thread_time()
         kind, back = "not_understood", ""
-        try:
-            parsed = parse(text)
-            kind, back = parsed.kind, render(parsed.meaning, "teacher")
-        except NotUnderstoodError:
-            pass
-        except Exception as error:  # what is looked for
-            kind = "broken"
-            self.broken.append((text, repr(error)))
-        took_ms = (time.thread_time() - began_s) * 1e3
+
+        def understand() -> None:
+            nonlocal kind, back
+            try:
+                parsed = parse(text)
+                kind, back = parsed.kind, render(parsed.meaning, "teacher")
+            except NotUnderstoodError:
+                pass
+            except Exception as error:  # what is looked for
+                kind = "broken"
+                self.broken.append((text, repr(error)))
+
+        took_ms = timed(understand, time.thread_time)
         self.took_ms.append(took_ms)
         self.kinds[kind] += 1
         if took_ms >= MOST_MS:
@@ -97,9 +101,9 @@ def main() -> int:
             print(f"SLOW {took_ms:.0f} ms: {text[:300]!r}")
     wanted = set(asked.kinds or ("command",))
     for name, one in found.items():
-        for kind, text, back in sorted(set(one.understood)):
-            if kind in wanted:
-                print(f"{name}\t{kind}\t{text}\t{back}")
+        different = {(kind, back): text for kind, text, back in one.understood if kind in wanted}
+        for (kind, back), text in sorted(different.items()):
+            print(f"{name}\t{kind}\t{text}\t{back}")
     return int(any(one.broken or one.slow for one in found.values()))
 
 

@@ -11,11 +11,14 @@ from rapidfuzz import fuzz, process
 from rapidfuzz.distance import OSA
 
 from grammars.registry import discover
+from grammars.vocabulary import lines
 
 NEAR_ENOUGH: Final = (
     70.0  # rapidfuzz's percentage; below it the suggestion is not about the same thing
 )
-SHORTEST: Final = 4  # letters of a word that may be a typo; of one that builds sentences one less
+SHORTEST: Final = (
+    4  # letters of a word that may be a typo; of one that builds sentences, or is none, one less
+)
 
 UNLIKELY: Final = 2
 OTHER_WORD: Final = 3  # sort of a slip that is none
@@ -27,7 +30,7 @@ def near_words(
     """Words one slip away, in alphabetical order; all of them are as likely.
 
     Two letters swapped are the likeliest slip, then a letter left out or doubled; a wrong letter or one too many is as
-    likely another word that nobody taught.
+    likely another word that nobody taught. A word of English is no typo.
 
     Args:
         word: as typed.
@@ -35,15 +38,28 @@ def near_words(
         common: words that build sentences; others are not looked for behind a very short word.
         likely: slips of the first two sorts; else of the last.
     """
+    if word in english():
+        return []
     found = process.extract(word, words, scorer=OSA.distance, score_cutoff=1, limit=None)
     near = [
         (sort, other)
         for other, distance, _ in found
-        if distance == 1 and (len(word) >= SHORTEST or other in common)
+        if distance == 1 and (len(word) >= SHORTEST or other in common or _is_no_word(word, other))
         if (sort := slip(word, other)) != OTHER_WORD and (sort < UNLIKELY) == likely
     ]
     likeliest = min(near, default=(OTHER_WORD, ""))[0]
     return sorted(other for sort, other in near if sort == likeliest)
+
+
+@cache
+def english() -> frozenset[str]:
+    """Common words that the robot does not know: whoever types "money" does not mean "monkey"."""
+    return frozenset(word for line in lines("english") for word in line.split())
+
+
+def _is_no_word(typed: str, meant: str) -> bool:
+    """However short: it has no vowel, or one letter of two is lacking."""
+    return not re.search("[aeiouy]", typed) or typed == re.sub(r"(.)\1", r"\1", meant)
 
 
 def slip(typed: str, meant: str) -> int:

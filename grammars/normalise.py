@@ -27,19 +27,13 @@ SIGHS: Final = tuple((word,) for word in "ugh ouch ow wow aw argh phew gosh geez
 THINKING: Final = (("you", "know"), ("like",), ("basically",), ("i", "guess"), *SIGHS)
 OPENERS: Final = frozenset("well so okay oh hey now and robot please alright".split())
 FILLERS: Final = frozenset("uh um er erm uhm hmm ah eh mm huh umm uhh uhhh ummm err hm".split())
-WHOLE: Final = {
+WHOLE = {
     "can't": "can not",
     "cannot": "can not",
     "won't": "will not",
     "let's": "let us",
-    "dont": "do not",
     "cant": "can not",
     "wont": "will not",
-    "didnt": "did not",
-    "doesnt": "does not",
-    "isnt": "is not",
-    "arent": "are not",
-    "shouldnt": "should not",
     "im": "i am",
     "ive": "i have",
     "youre": "you are",
@@ -48,6 +42,7 @@ WHOLE: Final = {
     "whos": "who is",
     "thats": "that is",
     "theres": "there is",
+    "heres": "here is",
     "gonna": "going to",
     "wanna": "want to",
     "ok": "okay",
@@ -61,6 +56,10 @@ WHOLE: Final = {
     "hes": "he is",
     "couldnt": "could not",
     "wouldnt": "would not",
+}
+WHOLE |= {
+    f"{verb}nt": f"{verb} not"
+    for verb in "do did does is are was were have has had would could should must".split()
 }
 ENDINGS: Final = {"'m": "am", "'re": "are", "'ve": "have", "'ll": "will", "'d": "would"}
 # "it's" and "what's" are never possessives; other words with 's may be.

@@ -21,7 +21,9 @@ BUILDERS: Final = frozenset(
     "before after instead means unless until when whenever if then while than because".split()
 )
 # Nobody's quote ends with one of these: the sentence was cut off, or what follows is no new action but the rest of it.
-DANGLING: Final = frozenset("the a an my your and or of if say tell".split())
+DANGLING: Final = frozenset(
+    "the a an my your and or of if say tell when whenever unless until than because".split()
+)
 
 Leaf = tuple[str, Token]
 Charge = tuple[int, str]  # what it cost, and what for: a rule, or a word taken for something

@@ -17,7 +17,7 @@ from grammars.ranking import Ranking, Tree, to_alist
 from grammars.registry import discover
 from kernel.memory.meaning import Meaning
 
-MOST_REPAIRED: Final = 3  # typos in one sentence
+MOST_REPAIRED: Final = 4  # typos in one sentence
 MOST_REPAIRS: Final = 9  # ways to repair them that are tried
 MOST_READ: Final = (
     40  # words of all attempts upon a sentence, before another way to repair it is tried
@@ -131,12 +131,13 @@ class Reader:
     def repaired(
         self, found: list[Piece], strange: Sequence[int], likely: bool
     ) -> Iterator[Parsed]:
-        """What it means with its typos repaired, if that can be one thing only."""
+        """What it means with its typos repaired, if that can be one thing only; one strange word may be no typo."""
         readings: list[Parsed] = []
         for variant, repaired in self.corrected(found, strange, likely):
             if self.attempts.words > MOST_READ:
                 return  # what was not tried might be meant as well
-            readings += self.read(variant, repaired=repaired)
+            guessing = len(repaired) < len(strange)
+            readings += self.read(variant, guessing, repaired)
         if len(readings) == 1:
             yield from readings
 
@@ -192,20 +193,26 @@ class Reader:
     def corrected(
         self, found: list[Piece], places: Sequence[int], likely: bool
     ) -> Iterator[tuple[list[Piece], tuple[tuple[str, str], ...]]]:
-        """The sentence with its strange words replaced by near ones."""
+        """The sentence with its strange words replaced by near ones; at most one that has none stays."""
         known, literal = self.lexer.vocabulary, self.lexer.literal
         words = tuple({*known.everything, *literal})
         builders = {word for word in literal if not known.readings(word)}
         choices: list[list[Piece]] = [found]
         for at in places:
+            near = near_words(found[at].text, words, builders)
+            if not near:
+                near = near_words(found[at].text, words, builders, likely=False) or [found[at].text]
+                near = [] if likely and near != [found[at].text] else near
             choices = [
                 [*done[:at], Piece("word", word, found[at].begin, found[at].end), *done[at + 1 :]]
                 for done in choices
-                for word in near_words(found[at].text, words, builders)
-                or ([] if likely else near_words(found[at].text, words, builders, likely=False))
+                for word in near
             ]
         for variant in choices[:MOST_REPAIRS]:
-            yield variant, tuple((found[at].text, variant[at].text) for at in places)
+            typed = ((found[at].text, variant[at].text) for at in places)
+            repaired = tuple(pair for pair in typed if pair[0] != pair[1])
+            if repaired and len(repaired) >= len(places) - 1:
+                yield variant, repaired
 
     def understood(self, found: Sequence[Piece]) -> str:
         """The beginning of the sentence that could start a sentence."""

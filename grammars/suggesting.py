@@ -13,7 +13,7 @@ from typing import Final
 from rapidfuzz import process
 from rapidfuzz.distance import OSA
 
-from grammars.nearest import slip
+from grammars.nearest import UNLIKELY, english, slip
 from grammars.normalise import Piece
 
 Works = Callable[[str], bool]
@@ -70,14 +70,14 @@ def rather(
 
 def _near(word: str, words: Words) -> list[str]:
     """Known words that may be meant by it, the likest first, of these such as the grammar has written out; a long one
-    may have two slips."""
-    known = (*words.written, *words.others)
-    found = process.extract(
-        word, known, scorer=OSA.distance, score_cutoff=1 + (len(word) >= LONG), limit=None
-    )
+    may have two slips, a word of English one likely slip."""
+    known, real = (*words.written, *words.others), word in english()
+    slips = 1 + (len(word) >= LONG and not real)
+    found = process.extract(word, known, scorer=OSA.distance, score_cutoff=slips, limit=None)
     ranked = sorted(
         (distance, slip(word, other), other not in words.written, other)
         for other, distance, _ in found
+        if not real or slip(word, other) < UNLIKELY
         if sorted(word) == sorted(other)
         or (word[0] == other[0] and (len(word) >= SHORT or len(other) > len(word)))
     )

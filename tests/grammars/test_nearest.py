@@ -26,6 +26,18 @@ def test_a_wrong_letter_is_as_likely_another_word() -> None:
     assert near_words("pencill", ("pencil",)) == ["pencil"]
 
 
+def test_a_word_of_english_is_no_typo() -> None:
+    for word in ("money", "hurts", "fro"):
+        assert near_words(word, ("monkey", "hurls", "for"), {"for"}) == []
+        assert near_words(word, ("monkey", "hurls", "for"), likely=False) == []
+
+
+def test_however_short_what_has_no_vowel_or_one_letter_of_two_is_a_typo() -> None:
+    assert near_words("grb", ("grab", "crab")) == ["grab"]
+    assert near_words("bal", ("ball", "bail")) == ["ball"]
+    assert near_words("lef", ("left",)) == []
+
+
 def test_short_and_far_words_have_no_neighbours() -> None:
     assert near_words("xy", WORDS) == []
     assert near_words("elephant", WORDS) == []

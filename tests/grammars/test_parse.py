@@ -80,13 +80,36 @@ def test_an_unknown_word_is_guessed_where_its_place_tells(text: str, kind: str, 
         ("Nevr raise the lift.", (("nevr", "never"),)),
         ("Wat color is the block?", (("wat", "what"),)),
         ("To wiggle, turn left then trun right.", (("trun", "turn"),)),
+        ("trn left", (("trn", "turn"),)),
+        ("wehre is the bal", (("wehre", "where"), ("bal", "ball"))),
+        (
+            "Lowre the litf then tunr arond",
+            (("lowre", "lower"), ("litf", "lift"), ("tunr", "turn"), ("arond", "around")),
+        ),
     ],
 )
 def test_typos_are_repaired_and_told(text: str, repaired: tuple[tuple[str, str], ...]) -> None:
     assert parse(text).repaired == repaired
 
 
-@pytest.mark.parametrize("text", ["zork", "zork the ball", "loft the block", "tur left", "stap"])
+def test_beside_typos_one_word_may_be_new() -> None:
+    parsed = parse("grab the flibbit then trun left")
+    assert (parsed.repaired, parsed.unknown_words) == ((("trun", "turn"),), ("flibbit",))
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "zork",
+        "zork the ball",
+        "loft the block",
+        "tur left",
+        "stap",
+        "stp",
+        "it hurts",
+        "where the money is",
+    ],
+)
 def test_what_may_be_another_word_is_not_repaired(text: str) -> None:
     assert read(text) is None
 

@@ -23,7 +23,7 @@ def nearest(text: str) -> str | None:
         ("if somthing is closs then turn left", "if something is close then turn left"),
         ("raise the left", "raise the lift"),
         ("stp", "stop"),
-        ("trn left", "turn left"),
+        ("tur lef", "turn left"),
         ("and turn left", "turn left"),
         ("turn left of", "turn left"),
     ],
