@@ -27,9 +27,9 @@ def test_a_wrong_letter_is_as_likely_another_word() -> None:
 
 
 def test_a_word_of_english_is_no_typo() -> None:
-    for word in ("money", "hurts", "fro"):
-        assert near_words(word, ("monkey", "hurls", "for"), {"for"}) == []
-        assert near_words(word, ("monkey", "hurls", "for"), likely=False) == []
+    for word in ("hurts", "fro"):
+        assert near_words(word, ("hurls", "for"), {"for"}) == []
+        assert near_words(word, ("hurls", "for"), likely=False) == []
 
 
 def test_however_short_what_has_no_vowel_or_one_letter_of_two_is_a_typo() -> None:

@@ -23,7 +23,6 @@ def nearest(text: str) -> str | None:
         ("if somthing is closs then turn left", "if something is close then turn left"),
         ("raise the left", "raise the lift"),
         ("stp", "stop"),
-        ("tur lef", "turn left"),
         ("and turn left", "turn left"),
         ("turn left of", "turn left"),
     ],
