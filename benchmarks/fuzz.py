@@ -19,11 +19,13 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from statistics import median, quantiles
 
+from _timing import timed
+
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
 
-from benchmarks._timing import timed
+from grammars.earley import grammar
 from grammars.errors import NotUnderstoodError
-from grammars.parse import grammar, parse
+from grammars.parse import parse
 from grammars.render import render
 from tests.grammars.salad import ENDLESS, SORTS
 

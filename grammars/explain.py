@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from grammars.parse import grammar
+from grammars.earley import grammar
 from grammars.reading import Parsed
 
 

@@ -21,9 +21,10 @@ from typing import Any, Final
 from grammars import morphology
 from grammars.automaton import Automaton, sample
 from grammars.chatter import is_chatter
+from grammars.earley import grammar
 from grammars.errors import NotUnderstoodError
 from grammars.finite_state import Compiler, Rule, expand
-from grammars.parse import grammar, parse
+from grammars.parse import parse
 from grammars.ranking import Leaf, Tree
 from grammars.registry import Form, discover
 from grammars.source import grammar_text, set_categories

@@ -1,5 +1,5 @@
 """One sentence being read: as it stands, with its typos repaired, with its unknown word guessed; the best reading that
-means something wins. How words are put together is the business of `parse.py`.
+means something wins. How words are put together is the business of `earley.py`.
 """
 
 from __future__ import annotations

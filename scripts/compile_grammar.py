@@ -5,14 +5,14 @@ from __future__ import annotations
 import json
 from pathlib import Path
 
-from grammars import heard, parse
+from grammars import earley, heard
 
 
 def main() -> None:
     """Write `grammars/grammar.json` and `grammars/heard.json`."""
     folder = Path(__file__).parent.parent / "grammars"
     for name, make in (
-        (parse.COMPILED, parse.compile_grammar),
+        (earley.COMPILED, earley.compile_grammar),
         (heard.COMPILED, heard.compile_heard),
     ):
         text = json.dumps(make(), separators=(",", ":"))

@@ -7,9 +7,10 @@ import time
 from typing import Any, Final
 
 from grammars.describe import describe
+from grammars.earley import grammar
 from grammars.errors import NotUnderstoodError
 from grammars.explain import explain
-from grammars.parse import grammar, parse
+from grammars.parse import parse
 from grammars.render import render
 from grammars.replies import say
 from grammars.vocabulary import BORN, Vocabulary

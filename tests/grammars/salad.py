@@ -7,7 +7,7 @@ from collections.abc import Callable
 from functools import cache
 from typing import Final
 
-from grammars.parse import closed_words
+from grammars.earley import closed_words
 from grammars.registry import discover
 from grammars.vocabulary import BORN
 

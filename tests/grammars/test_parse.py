@@ -11,8 +11,9 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from grammars.earley import COMPILED, closed_words, compile_grammar, productions
 from grammars.errors import NotUnderstoodError
-from grammars.parse import COMPILED, closed_words, compile_grammar, parse, productions
+from grammars.parse import parse
 from grammars.reading import Parsed
 from grammars.render import render
 from grammars.vocabulary import BORN

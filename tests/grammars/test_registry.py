@@ -6,7 +6,7 @@ import importlib
 import pkgutil
 
 import kernel.grounding
-from grammars.parse import closed_words
+from grammars.earley import closed_words
 from grammars.registry import discover
 from grammars.vocabulary import BORN
 from kernel.action.call import GROUNDINGS

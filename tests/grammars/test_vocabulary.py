@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import pytest
 
-from grammars.parse import closed_words, parse
+from grammars.earley import closed_words
+from grammars.parse import parse
 from grammars.source import CATEGORIES
 from grammars.vocabulary import BORN, extended, from_policy, lines, set_phrases
 from kernel.memory.lesson import Lesson
