@@ -32,6 +32,7 @@ from grammars.mentions import (
     place_word,
 )
 from grammars.things import Things
+from grammars.usage import is_used
 from grammars.vocabulary import BORN
 from kernel.action.chain import Chain, Directive, Play
 from kernel.memory.editing import OTHER_WAY
@@ -75,7 +76,7 @@ class Build(Things):
             raise NoMeaningError("a thing in a place that is put nowhere")
         if action.slot("dir") == "for" and self._particle != "for":
             raise NoMeaningError(str(action))
-        if is_odd(verb, action):
+        if is_odd(verb, action) or not is_used(action, verb, self.pattern):
             raise NoMeaningError(str(action))
         links: dict[str, str] = {}
         if (every := action.find("every")) is not None and (every.parts or verb not in LETTING_GO):

@@ -3,9 +3,12 @@
 from __future__ import annotations
 
 from functools import cache
+from typing import Final
 
 from grammars.normalise import pieces
 from grammars.vocabulary import lines
+
+TOLD: Final = frozenset("as said says they that because so like my".split())
 
 
 @cache
@@ -14,6 +17,8 @@ def _sayings(sort: str) -> frozenset[tuple[str, ...]]:
 
 
 def is_chatter(words: tuple[str, ...]) -> bool:
-    """A saying, or what starts as nothing but a saying does."""
-    starts = _sayings("openings")
-    return words in _sayings("idioms") or any(words[: len(start)] == start for start in starts)
+    """A saying, one that somebody is told to have said, or what starts as nothing but a saying does."""
+    starts, idioms = _sayings("openings"), _sayings("idioms")
+    ends = (at for at, word in enumerate(words) if word in TOLD)
+    quoted = any(words[:at] in idioms for at in ends)
+    return words in idioms or quoted or any(words[: len(start)] == start for start in starts)

@@ -8,6 +8,7 @@ from grammars.alist import AList
 from grammars.errors import NoMeaningError
 from grammars.hedges import preference
 from grammars.mentions import VERB_SLOTS
+from grammars.usage import is_abstract, usages
 from kernel.action.chain import Directive
 from kernel.memory.lesson import Operator
 from kernel.net.graphlet import Graphlet, Term
@@ -91,7 +92,7 @@ def clause(build: Build, part: AList, subject: str = "", topical: bool = False) 
         many = build.thing(AList("np", counted.parts[1:]))
         build.add("cnt", literal=counted.slot("num"), cnt=many)
         return build.add("act", "have", agt=agent, obj=many, negated=negated)
-    if objects:
+    if objects and not (build.telling and is_abstract(objects[0])):
         owned = build.thing(objects[0])
         return build.add("act", "have", agt=agent, obj=owned, negated=negated or build.negative)
     raise NoMeaningError(str(part))
@@ -137,6 +138,10 @@ def _doing(build: Build, part: AList, agent: str, objects: list[AList], negated:
     if put_nowhere(verb, body, objects[0] if objects else None):
         raise NoMeaningError(str(part))
     links: dict[str, str] = {"agt": agent}
+    if objects and ("alone" in usages(verb) or (verb == "know" and objects[0].has("pron"))):
+        raise NoMeaningError(str(part))
+    if objects and build.telling and "telling" not in usages(verb) and is_abstract(objects[0]):
+        raise NoMeaningError(str(part))
     if objects:
         links["obj"] = build.thing(objects[0])
     elif body.has("name"):

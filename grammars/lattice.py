@@ -10,6 +10,7 @@ from functools import cache
 from typing import Final
 
 from grammars.morphology import readings as inflected
+from grammars.nearest import english
 from grammars.normalise import Piece, repaired_by_speaker, without_chat, without_repeats
 from grammars.source import set_categories
 from grammars.vocabulary import OPEN, Vocabulary, set_phrases
@@ -112,11 +113,16 @@ def _strange(piece: Piece, guessing: bool) -> dict[str, str]:
     for reading in inflected(piece.text, "verb"):
         if reading.form == "gerund":
             readings.setdefault("NEWING", reading.lemma)
+    name = piece.capital or piece.text not in english()
+    if name:
+        readings["NEWNAME"] = piece.text
     if piece.capital:
         readings["PROPER"] = piece.text
     if guessing:
         manner = piece.text.endswith("ly") and len(piece.text) > len("early")
         readings["ADV" if manner else "UNK"] = piece.text
+        if not manner:
+            readings["UNKNAME" if name else "UNKADJ"] = piece.text
     return readings
 
 
@@ -124,7 +130,7 @@ def _may_be_name(token: Token, before: Piece | None, after: Sequence[Piece]) -> 
     """A word that stands where a name does: written as one, told as one ("called Spot"), or a quality that is said to
     be of some kind ("Fluffy is a kitten"); an unknown word before what persons do to the robot."""
     words = [piece.text for piece in after]
-    if before is None and "STRANGE" in token.readings:
+    if before is None and "NEWNAME" in token.readings:
         ordering = (words[:1] in ORDERING and words[1:2] == ["you"]) or words[:2] in MAY_ORDER
         return ordering or (words[2:3] == ["than"] and words[-1] in OWN)
     if before is None:

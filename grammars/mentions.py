@@ -7,6 +7,7 @@ from typing import Final
 
 from grammars.alist import AList
 from grammars.morphology import gerund
+from grammars.usage import is_abstract, is_bare
 from grammars.vocabulary import BORN
 
 SELF: Final = {"you": "you", "yourself": "you", "me": "me", "i": "me", "mine": "me", "yours": "you"}
@@ -121,3 +122,8 @@ def is_person(np: AList) -> bool:
     kind = np.slot("ako") or np.slot("akos")
     of_persons = np.slot("pron") in PERSONAL | {"them"} or np.slot("vague") in PERSON_WORDS
     return np.has("name") or of_persons or "PERSON" in BORN.readings(kind)
+
+
+def may_be_person(np: AList) -> bool:
+    """It may tell of a person, or of one who talks: not the rain, and nobody without an article or a name."""
+    return not is_bare(np) and not is_abstract(np)

@@ -11,7 +11,7 @@ from grammars.vocabulary import set_phrases
 
 CATEGORIES: Final = (
     "VERB VERBS VERBING VERBED GIVE MOTION STATE STATES NOUN NOUNS ADJ ADJER ADJEST ADV DEG DIR PROPER PLACE NUM UNIT"
-    " PERSON PREP ORD QUOTED ANYWORD NAMELIKE NEWING OPENWORD STRANGE UNK _COMMA"
+    " PERSON PREP ORD QUOTED ANYWORD NAMELIKE NEWING OPENWORD STRANGE NEWNAME UNK UNKNAME UNKADJ _COMMA"
 ).split()
 # What it costs to take a word as something else than it is known to be; a set phrase is a little better than its words.
 TERMINAL_COST: Final[dict[str, int]] = {
@@ -19,7 +19,10 @@ TERMINAL_COST: Final[dict[str, int]] = {
     "OPENWORD": 1,
     "NAMELIKE": 2,
     "STRANGE": 3,
+    "NEWNAME": 3,
     "UNK": 10,
+    "UNKNAME": 10,
+    "UNKADJ": 10,
 }
 SET_PHRASE_COST: Final = -1
 

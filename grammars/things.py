@@ -32,6 +32,7 @@ from grammars.mentions import (
     place_word,
 )
 from grammars.relatives import relative
+from grammars.usage import agrees
 from grammars.vocabulary import BORN
 from kernel.memory.recall import PERSONS
 from kernel.net.graphlet import Graphlet, Sketch, Term
@@ -164,6 +165,8 @@ class Things:
         self.things.append(thing)
 
     def _described(self, np: AList, det: str, kind: str, person: bool) -> str:
+        if not agrees(np):
+            raise NoMeaningError(str(np))
         vague, called = np.slot("vague"), np.slot("name")
         if vague in NOBODY or det == "no":
             self.negative = True

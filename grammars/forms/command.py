@@ -6,6 +6,7 @@ from grammars.alist import AList
 from grammars.build import Build, NoMeaningError
 from grammars.chains import bare_chain
 from grammars.registry import sentence_form
+from grammars.usage import is_way
 from kernel.memory.meaning import Command
 
 EXAMPLES = (
@@ -46,6 +47,8 @@ def command(alist: AList) -> Command:
         raise NoMeaningError("advice for a person")
     build = Build()
     bare = alist.find("bare")
+    if bare is not None and not is_way(bare):
+        raise NoMeaningError("no way to go")
     return Command(build.chain(alist.first("chain") if bare is None else bare_chain(bare)))
 
 

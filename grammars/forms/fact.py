@@ -7,8 +7,10 @@ from typing import Final
 from grammars.alist import AList
 from grammars.build import Build, NoMeaningError
 from grammars.clauses import clause
-from grammars.mentions import OWNING, is_definite
+from grammars.mentions import OWNING, is_definite, is_person, may_be_person
 from grammars.registry import sentence_form
+from grammars.usage import is_abstract
+from grammars.vocabulary import BORN
 from kernel.memory.meaning import Fact
 from kernel.net.graphlet import Graphlet, Term
 
@@ -27,7 +29,10 @@ EXAMPLES = (
 )
 
 # What somebody does without ever being at it; such a saying is no deed that could be watched.
-STATIVE: Final = frozenset("know like love hate want need own prefer fear see mean".split())
+STATIVE: Final = frozenset(
+    "know like love hate want need own prefer fear see mean get take".split()
+)
+IT: Final = ("it", "that", "this")
 LONGEST_QUOTE: Final = 6  # words somebody is told to have said; at more length it is gossip
 
 
@@ -41,6 +46,8 @@ def fact(alist: AList) -> Fact:
     if (taught := alist.find("taught_it")) is not None:
         with build.drawing(pattern=True):
             act = build.action(taught.first("action"))
+            if not is_person(taught.first("np")) and not may_be_person(taught.first("np")):
+                raise NoMeaningError("nobody who could tell")
             teller = build.thing(taught.first("np"), person=True)
             main = build.add("act", "teach", agt=teller, dest=build.oneself("you"), cmd=act)
             return Fact(build.graphlet(main))
@@ -87,9 +94,14 @@ def _check_subject(said: AList) -> None:
     pred = said.find("pred")
     if pred is not None and pred.has("isname"):
         raise NoMeaningError("a name; read as such")
+    loc = None if pred is None else pred.find("loc")
+    if loc is not None and any(map(is_abstract, loc.all("np"))):
+        raise NoMeaningError("in a mood, under the weather")
     subject = said.find("np", "base_np")
     if subject is None:
         return
+    if subject.has("pron") and _is_remark(said, subject.slot("pron")):
+        raise NoMeaningError("a remark")
     known = ("name", "det", "own", "owner", "pron", "vague")
     vague = subject.slot("vague")
     generic = (
@@ -103,10 +115,25 @@ def _check_subject(said: AList) -> None:
         raise NoMeaningError(str(said))
 
 
+def _is_remark(said: AList, pron: str) -> bool:
+    """ "It's a small world", "that is a good question"; "it is raining", "you are hopeless" in a word nobody taught."""
+    pred, going = said.find("pred"), said.find("going")
+    if going is not None:
+        verb = going.slot("gerund") or going.value or ""
+        return BORN.readings(verb).keys().isdisjoint(("VERB", "STATE"))
+    if pred is None:
+        return False
+    kindof, qual = pred.find("kindof"), pred.find("qual")
+    told_kind = pron in IT and kindof is not None and is_abstract(kindof)
+    return told_kind or (qual is not None and qual.value is not None)
+
+
 def _is_saying(said: AList, subject: AList) -> bool:
     """What somebody that only a pronoun tells of does to a thing that nothing is said of: "he knows the ropes"; and of
     the robot also to any such thing, as it knows best what it sees and likes: "you need a break"."""
     things = said.all("np")[1:]
+    if said.slot("does") == "know":  # "Rick knows the drill"
+        return any(thing.slot("det") == "the" and _is_bare(thing) for thing in things)
     if said.slot("does") not in STATIVE or not subject.has("pron"):
         return False
     kinds = ("the",) if subject.slot("pron") != "you" else ("the", "a", "an", "")
@@ -130,6 +157,8 @@ def _named(build: Build, named: AList) -> Fact:
             owner = named.find("owner")
             if (np := named.find("np")) is not None and np.slot("ako") == "name":
                 raise NoMeaningError("the name of a name")
+            if np is not None and np.has("pron") and "PLACE" in BORN.readings(named.slot("name")):
+                raise NoMeaningError("it's Tuesday")
             thing = build.thing(named.first("np")) if owner is None else build.thing(owner)
     if not build.finds:
         raise NoMeaningError("a name for nothing in particular")

@@ -7,6 +7,7 @@ from typing import Final
 from grammars.alist import AList
 from grammars.build import Build, NoMeaningError
 from grammars.registry import sentence_form
+from grammars.usage import is_bare
 from kernel.action.chain import Chain, Directive, Play, sequence
 from kernel.memory.editing import OTHER_WAY
 from kernel.memory.meaning import Beside, Revision
@@ -211,6 +212,8 @@ def _things(build: Build, alist: AList) -> tuple[Graphlet | None, Chain]:
     if old is not None:
         with build.drawing(pattern=True):
             replaced = build.graphlet(build.thing(old))
+    if is_bare(new) and not new.has("one"):
+        raise NoMeaningError("sorry, wrong number")
     with build.drawing(pattern=False):
         build.thing(new)
     if not build.finds:

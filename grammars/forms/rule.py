@@ -43,8 +43,13 @@ def rule(alist: AList) -> Teach:
     with build.drawing(pattern=True):
         main = clause(build, said, thing)
         then = build.graphlet(main)
+    if _is_small_talk(condition_, then):
+        raise NoMeaningError("small talk")
     if any(term.ref in ("he", "she", "they") for term in condition_) or _is_name(said):
         raise NoMeaningError("somebody in particular")
+    pred = said.find("pred")
+    if generic is not None and pred is not None and any(q.value for q in pred.all("qual")):
+        raise NoMeaningError("of a quality that nobody taught")  # "diamonds are forever"
     if generic is not None and _same_said(condition_, then):
         raise NoMeaningError("what is done is done")
     described = condition_.names
@@ -55,6 +60,16 @@ def rule(alist: AList) -> Teach:
     hedge = next(filter(None, hedges), said.slot("may") and "may")
     rule_ = Rule(condition_, then, exception(build, alist), belief(hedge))
     return Teach("rule", rule_)
+
+
+def _is_small_talk(condition_: Graphlet, then: Graphlet) -> bool:
+    """It is about the two who talk and what they see: "if you are reading this I love you"."""
+    said = {name for name in condition_.mentioned | then.mentioned if name.startswith("obj")}
+    robot, here = (
+        {term.name for term in (*condition_, *then) if term.lex & lex or term.ref in refs}
+        for lex, refs in (({"you"}, ()), ({"you", "me"}, ("this", "that")))
+    )
+    return said <= here and not said <= robot
 
 
 def _same_said(one: Graphlet, other: Graphlet) -> bool:

@@ -9,7 +9,7 @@ from __future__ import annotations
 from grammars.alist import AList
 from grammars.build import Build, NoMeaningError
 from grammars.clauses import exception, told
-from grammars.mentions import is_person
+from grammars.mentions import is_person, may_be_person
 from grammars.registry import sentence_form
 from kernel.action.chain import Chain, Directive, Play
 from kernel.memory.lesson import LEARN, Operator
@@ -37,7 +37,7 @@ def trust(alist: AList) -> Teach:
     build = Build()
     order = alist.find("ordered", "ordering") or alist
     speaker = order.find("np") or alist.first("np")
-    if alist.has("heed") and not is_person(speaker):
+    if not is_person(speaker) and (alist.has("heed") or not may_be_person(speaker)):
         raise NoMeaningError("nobody who could give orders")
     with build.drawing(pattern=True, trigger=True):
         if alist.has("teach"):

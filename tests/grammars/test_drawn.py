@@ -8,8 +8,9 @@ from functools import cache
 import pytest
 
 from grammars.describe import describe
+from grammars.earley import productions
 from grammars.errors import NotUnderstoodError
-from grammars.parse import parse, productions
+from grammars.parse import parse
 from grammars.registry import discover
 from grammars.vocabulary import BORN
 from kernel.memory.notation import write_meaning
@@ -18,7 +19,10 @@ EACH = 40  # sentences of each form: of fewer, chance alone would often leave le
 FIXED = {
     "NUM": ("3", "10"),
     "STRANGE": ("blorp",),
+    "NEWNAME": ("blorp",),
     "UNK": ("blorp",),
+    "UNKNAME": ("blorp",),
+    "UNKADJ": ("awkward",),
     "NEWING": ("blorping",),
     "QUOTED": ('"hi there"',),
     "ANYWORD": ("hello", "red"),

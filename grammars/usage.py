@@ -1,0 +1,153 @@
+"""How verbs are used: what may stand beside one, and what only stands there by chance.
+
+A rule of the grammar takes any verb for any; nobody sulks puddles, drives a hamster, thanks left or grabs an attitude.
+The classes of verbs are in `words/usage.txt`, what can be neither handled nor owned in `words/abstract.txt`. A verb
+that is in no class, and so every verb that is taught, is used in any way.
+"""
+
+from __future__ import annotations
+
+from functools import cache
+from typing import Final
+
+from grammars.alist import AList
+from grammars.vocabulary import BORN, lines
+
+WAYS: Final = frozenset("left right forward backward clockwise counterclockwise sideways".split())
+OPPOSITE: Final = (
+    {"left", "right"},
+    {"forward", "backward"},
+    {"up", "down"},
+    {"clockwise", "counterclockwise"},
+    {"in", "out"},
+    {"on", "off"},
+)
+# "Go out the door": what stands behind them is the way.
+PATHS: Final = frozenset("up down in out over around through along".split())
+# Said alone they move nothing: "in", "here".
+NO_WAY: Final = frozenset("in on off out over here there inside outside".split())
+# Qualities that stand behind a thing only, unless it has an article ("press the on button").
+BEHIND: Final = frozenset(
+    "up down on off here there gone home away asleep awake alone alive afraid near".split()
+)
+MOST_QUALITIES: Final = 2  # of a thing without an article
+ONCE: Final = ("cnt", "size", "amt")  # an action has one of each
+ABSTRACT_ENDINGS: Final = ("ness", "ity", "tude", "hood", "ism")
+SHORTEST_ABSTRACT: Final = 7  # letters; a city is none
+SEVERAL: Final = ("these", "those")
+ONE: Final = ("a", "an", "another", "this", "that")
+DETERMINED: Final = ("det", "own", "owner", "pron", "pronoun", "vague", "name")
+
+
+@cache
+def usages(verb: str) -> frozenset[str]:
+    """Classes of the verb."""
+    return frozenset(name for name, verbs in _classes().items() if verb in verbs)
+
+
+@cache
+def _classes() -> dict[str, frozenset[str]]:
+    found: dict[str, set[str]] = {}
+    for line in lines("usage"):
+        name, _, verbs = line.partition("=")
+        found.setdefault(name.strip(), set()).update(verbs.split())
+    return {name: frozenset(verbs) for name, verbs in found.items()}
+
+
+@cache
+def _persons_own() -> frozenset[str]:
+    return frozenset(word for line in lines("persons_own") for word in line.split())
+
+
+@cache
+def _abstract() -> frozenset[str]:
+    return frozenset(word for line in lines("abstract") for word in line.split())
+
+
+def kind(np: AList) -> str:
+    """What a thing is called, or ""."""
+    return np.slot("ako") or np.slot("akos")
+
+
+def is_abstract(np: AList) -> bool:
+    """It tells of nothing that could be handled or owned."""
+    said = kind(np)
+    ending = len(said) >= SHORTEST_ABSTRACT and said.endswith(ABSTRACT_ENDINGS)
+    return said in _abstract() or (ending and not BORN.knows(said))
+
+
+def is_bare(np: AList) -> bool:
+    """It has no article, or what would stand for one."""
+    return not any(np.has(part) for part in DETERMINED)
+
+
+def agrees(np: AList) -> bool:
+    """ "A blocks" and "those block" are said by nobody."""
+    det = np.slot("det")
+    return not (det in ONE and np.has("akos")) and not (det in SEVERAL and np.has("ako"))
+
+
+def is_used(action: AList, verb: str, pattern: bool) -> bool:
+    """People use the verb with what stands beside it.
+
+    Args:
+        action: the verb's bracket with all that belongs to it.
+        verb: the verb with its particle, as in the net ("pick up").
+        pattern: no order, but a deed that an order may be matched with.
+    """
+    uses, obj = usages(verb), action.find("np")
+    dirs = [part.value or "" for part in action.all("dir")]
+    if "alone" in uses and action.has("every"):
+        return False
+    if obj is not None and not _takes(action, obj, uses, pattern):
+        return False
+    if any({one, other} in OPPOSITE or one == other for one in dirs for other in _after(dirs, one)):
+        return False
+    if any(len(action.all(part)) > 1 for part in ONCE):
+        return False
+    if ("still" in uses and not WAYS.isdisjoint(dirs)) or ("nowhere" in uses and dirs):
+        return False
+    beside = [action.find("iobj"), action.find("dest"), action.find("place")]
+    bare = [np for part in beside if part is not None for np in part.walk() if np.name == "np"]
+    if "venting" in uses and any(map(is_bare, bare)):
+        return False
+    return pattern or all(map(_is_short, bare))
+
+
+def _after(said: list[str], one: str) -> list[str]:
+    return said[said.index(one) + 1 :]
+
+
+def _takes(action: AList, obj: AList, uses: frozenset[str], pattern: bool) -> bool:
+    """The verb takes such an object there."""
+    parts = list(action)
+    before = [part.value for part in parts[: parts.index(obj)] if part.name == "dir"]
+    named, bare = obj.has("name"), is_bare(obj)
+    if "alone" in uses and (bare or named or PATHS.isdisjoint(before)):
+        return False
+    if "telling" not in uses and is_abstract(obj):
+        return False
+    if obj.slot("own") == "your" and kind(obj) in _persons_own():
+        return False
+    if not WAYS.isdisjoint(before) and (bare or named or obj.has("pron") or "steering" in uses):
+        return False
+    if ("steering" in uses and bare) or ("self" in uses and (named or obj.slot("pron") == "you")):
+        return False
+    return pattern or _is_short(obj, "telling" in uses)
+
+
+def _is_short(np: AList, told: bool = False) -> bool:
+    """A thing without an article as children and telegrams have it: "grab red block"; nothing at more length."""
+    if not is_bare(np):
+        return True
+    quals = np.all("qual")
+    words = {qual.value or qual.slot("hq") for qual in quals}
+    if len(quals) > MOST_QUALITIES or any(qual.has("more") for qual in quals) or words & BEHIND:
+        return False
+    return told or not (np.has("ako") and is_abstract(np))
+
+
+def is_way(bare: AList) -> bool:
+    """Directions without a verb that tell where to go."""
+    said = [part.value for part in bare.walk() if part.name == "dir"]
+    return said[:1] == [] or said[0] not in NO_WAY

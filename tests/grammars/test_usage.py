@@ -1,0 +1,101 @@
+"""Verbs are taken for something said only as people use them."""
+
+from __future__ import annotations
+
+import pytest
+
+from grammars.earley import closed_words
+from grammars.errors import NotUnderstoodError
+from grammars.nearest import english
+from grammars.parse import parse
+from grammars.vocabulary import BORN, lines, with_verb
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "sulk puddles",
+        "apologize all old men",
+        "go the kitchen",
+        "yawn outside potato",
+        "drive hamster",
+        "turn thunders",
+        "drive Greta",
+        "drive forward block",
+        "drive forward a vehicle",
+        "thank left",
+        "close the gripper clockwise",
+        "find forward",
+        "turn left right",
+        "turn left twice three times",
+        "avoid that positions",
+        "grab those block",
+        "see bluer close fast basement",
+        "drop the attitude",
+        "take the opportunity",
+        "in",
+        "here",
+        "Rick knows the drill",
+        "you have a point",
+        "it's a small world",
+        "the weather may order you around",
+        "gravity may order you around",
+        "traffic told you to wait",
+    ],
+)
+def test_what_stands_together_by_chance_is_not_understood(text: str) -> None:
+    with pytest.raises(NotUnderstoodError):
+        parse(text)
+
+
+@pytest.mark.parametrize(
+    ("text", "words"),
+    [
+        ("grab block", {"grab", "block"}),
+        ("pick up red block", {"pick", "up", "red", "block"}),
+        ("put cup on table", {"put", "cup", "on", "table"}),
+        ("go to kitchen", {"go", "kitchen"}),
+        ("go out the door", {"go", "out", "door"}),
+        ("turn the key", {"turn", "key"}),
+        ("turn around the chair", {"turn", "around", "chair"}),
+        ("push forward the chair", {"push", "forward", "chair"}),
+        ("press the on button", {"press", "on", "button"}),
+        ("whisper good night to Mary", {"whisper", "mary"}),
+        ("turn left left", {"turn", "left"}),
+    ],
+)
+def test_what_people_say_is(text: str, words: set[str]) -> None:
+    assert words <= {part.value for part in parse(text).alist.walk()}
+
+
+def test_a_taught_verb_is_used_in_any_way() -> None:
+    known = with_verb(BORN, "zork")
+    for text in ("zork", "zork hamster", "zork Greta left", "zork forward the block"):
+        assert parse(text, known).kind == "command"
+
+
+def test_the_classes_are_of_words_that_are_known_or_written_out() -> None:
+    verbs = {verb for line in lines("usage") for verb in line.partition("=")[2].split()}
+    assert not {verb for verb in verbs if not BORN.knows(verb)} - closed_words() - english()
+
+
+@pytest.mark.parametrize(
+    ("text", "kind"),
+    [
+        ("if it is raining close the window", "reaction"),
+        ("you may dance unless my daughter is practicing", "permission"),
+        ("the door is ajar", "fact"),
+        ("when you are idle say i am bored", "reaction"),
+        ("Rick is practicing", "fact"),
+    ],
+)
+def test_what_one_is_or_is_doing_may_be_a_word_that_nobody_taught(text: str, kind: str) -> None:
+    assert parse(text).kind == kind
+
+
+@pytest.mark.parametrize(
+    "text", ["it is raining", "that's life", "you are hopeless", "i am walrus", "call me later"]
+)
+def test_a_common_word_is_no_name(text: str) -> None:
+    with pytest.raises(NotUnderstoodError):
+        parse(text)
