@@ -8,6 +8,9 @@ from typing import Final
 from grammars.normalise import pieces
 from grammars.vocabulary import lines
 
+MANNERS: Final = frozenset(
+    "please now so well oh okay and everyone everybody folks mate love darling dear then ,".split()
+)
 TOLD: Final = frozenset("as said says they that because so like my".split())
 
 
@@ -16,9 +19,16 @@ def _sayings(sort: str) -> frozenset[tuple[str, ...]]:
     return frozenset(tuple(piece.text for piece in pieces(line)) for line in lines(sort))
 
 
+def _without_manners(words: tuple[str, ...]) -> tuple[str, ...]:
+    """What is left without the words that go with any sentence, before and after it."""
+    at = [place for place, word in enumerate(words) if word not in MANNERS]
+    return words[at[0] : at[-1] + 1] if at else words
+
+
 def is_chatter(words: tuple[str, ...]) -> bool:
     """A saying, one that somebody is told to have said, or what starts as nothing but a saying does."""
     starts, idioms = _sayings("openings"), _sayings("idioms")
+    words = _without_manners(words)
     ends = (at for at, word in enumerate(words) if word in TOLD)
     quoted = any(words[:at] in idioms for at in ends)
     return words in idioms or quoted or any(words[: len(start)] == start for start in starts)
