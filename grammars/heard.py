@@ -34,6 +34,11 @@ COMPILED: Final = "heard.json"
 START: Final = "start"
 QUOTE: Final = "quote"
 SILENT: Final = frozenset(("_COMMA",))  # terminals that make no sound
+# Verbs as people use them: what takes an object, a direction, or neither (words/usage.txt).
+SORTS: Final = {
+    "VERB": ("HANDLING", "MOVING", "GOING", "RESTING"),
+    "VERBING": ("HOLDING", "GOING_ON", "RESTING_ON"),
+}
 DRAWN: Final = 10  # sentences like an example that must be read as it is
 # "The ball is red" is a fact, "a ball is red" a rule, "anything is red" neither: what something is said of is known.
 KNOWN: Final = "_known"
@@ -195,8 +200,8 @@ class _LikeExamples:
         """The category of a word; the word itself where the ears know other words of that category only."""
         name, token = leaf
         word = token.piece.text
-        if name == "VERB" and word in self._words["HANDLING"]:
-            return "HANDLING"
+        if more := next((sort for sort in SORTS.get(name, ()) if word in self._words[sort]), ""):
+            return more
         if name in _literals() or token.piece.kind != "word" or word in self._words.get(name, ()):
             return _written(name)
         return f'"{word}"'
