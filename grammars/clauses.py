@@ -8,7 +8,7 @@ from grammars.alist import AList
 from grammars.errors import NoMeaningError
 from grammars.hedges import preference
 from grammars.mentions import VERB_SLOTS
-from grammars.usage import is_abstract, usages
+from grammars.usage import is_abstract, is_kind_of_it, usages
 from kernel.action.chain import Directive
 from kernel.memory.lesson import Operator
 from kernel.net.graphlet import Graphlet, Term
@@ -101,6 +101,9 @@ def clause(build: Build, part: AList, subject: str = "", topical: bool = False) 
 def _subject(build: Build, np: AList, part: AList) -> str:
     """Node of a clause's subject; who has a name may be "it" too: "unless it is Mary"."""
     pred = part.find("pred")
+    kindof = None if pred is None else pred.find("kindof")
+    if kindof is not None and not is_kind_of_it(np, kindof):
+        raise NoMeaningError(str(part))
     if np.slot("pron") == "it" and pred is not None and pred.has("isname"):
         return build.pronoun("they")
     return build.thing(np)

@@ -10,6 +10,7 @@ import re
 from collections.abc import Callable, Container, Sequence
 from dataclasses import dataclass
 from typing import Final
+from unicodedata import normalize
 
 from grammars.numerals import number
 
@@ -42,7 +43,6 @@ WHOLE = {
     "whos": "who is",
     "thats": "that is",
     "theres": "there is",
-    "heres": "here is",
     "gonna": "going to",
     "wanna": "want to",
     "ok": "okay",
@@ -98,19 +98,16 @@ def pieces(text: str) -> list[Piece]:
     """The sentence cut up, contractions opened and numbers read."""
     found: list[Piece] = []
     for match in TOKEN.finditer(text):
-        kind, raw, begin, end = (
-            match.lastgroup or "other",
-            match.group(),
-            match.start(),
-            match.end(),
-        )
+        kind, raw = match.lastgroup or "other", match.group()
+        begin, end = match.span()
         if kind == "quote":
             found.append(Piece("quote", raw[1:-1].strip(), begin, end))
-        elif kind == "word":
+        elif kind == "word" and _is_written(raw):
             found += _word(raw, begin, end, raw[0].isupper() and bool(found))
         elif kind == "degree":
             found.append(Piece("word", "degree", begin, end))
         else:
+            kind = "other" if kind == "word" else kind
             found.append(Piece(kind, "," if kind == "comma" else raw, begin, end))
     while found and found[-1].kind in ("end", "comma"):
         found.pop()
@@ -121,6 +118,11 @@ def pieces(text: str) -> list[Piece]:
 def _abbreviates(before: Sequence[Piece], piece: Piece) -> bool:
     """A full stop that ends no sentence: that of "Mr. Ito", "90 deg."."""
     return piece.text == "." and bool(before) and before[-1].text in ABBREVIATED
+
+
+def _is_written(raw: str) -> bool:
+    """Of letters as people type them: no fractions, no wide letters."""
+    return raw.isascii() or normalize("NFKC", raw) == raw
 
 
 def _word(raw: str, begin: int, end: int, capital: bool) -> list[Piece]:

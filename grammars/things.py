@@ -203,15 +203,8 @@ class Things:
 
     def quality(self, name: str, qual: AList, negated: bool = False) -> str:
         """Say of what quality a thing is, in what degree; the node of that."""
-        word = (
-            qual.slot("hq")
-            or qual.slot("ako")
-            or qual.slot("more")
-            or qual.slot("most")
-            or qual.slot("ord")
-            or qual.value
-            or ""
-        )
+        said = map(qual.slot, ("hq", "ako", "more", "most", "ord"))
+        word = next(filter(None, said), qual.value or "")
         hq = self.add("hq", word, hq=name, negated=negated)
         for deg in qual.all("deg"):
             self.add("deg", degree(deg.value or ""), deg=hq)
@@ -265,6 +258,8 @@ class Things:
         if (called := pred.find("isname")) is not None:
             if self.sketch.terms[name].lex & {"you", "me"}:  # "if you are idle"
                 return self.add("hq", called.slot("name"), hq=name, negated=negated)
+            if negated:  # it would be told that it is
+                raise NoMeaningError(str(pred))
             self.sketch.change(name, lex=frozenset((called.slot("name"),)))
             return self.put(name)
         if pred.has("here"):

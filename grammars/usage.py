@@ -24,6 +24,7 @@ OPPOSITE: Final = (
 )
 # "Go out the door": what stands behind them is the way.
 PATHS: Final = frozenset("up down in out over around through along".split())
+BACKING: Final = ("back", "reverse")
 # Said alone they move nothing: "in", "here".
 NO_WAY: Final = frozenset("in on off out over here there inside outside".split())
 # Qualities that stand behind a thing only, unless it has an article ("press the on button").
@@ -87,6 +88,14 @@ def agrees(np: AList) -> bool:
     return not (det in ONE and np.has("akos")) and not (det in SEVERAL and np.has("ako"))
 
 
+def is_kind_of_it(np: AList, kindof: AList) -> bool:
+    """ "The light is toads" is said by nobody; "something is scissors" may be."""
+    several = kindof.slot("akos") if not kindof.has("own") and not kindof.has("owner") else ""
+    return (
+        not several or not (np.has("ako") or np.has("vague")) or "NOUNS" in BORN.readings(several)
+    )
+
+
 def is_used(action: AList, verb: str, pattern: bool) -> bool:
     """People use the verb with what stands beside it.
 
@@ -126,6 +135,8 @@ def _takes(action: AList, obj: AList, uses: frozenset[str], pattern: bool) -> bo
     if "alone" in uses and (bare or named or PATHS.isdisjoint(before)):
         return False
     if "telling" not in uses and is_abstract(obj):
+        return False
+    if action.slot("act") in BACKING and kind(obj) not in _classes()["backing"] | {""}:
         return False
     if obj.slot("own") == "your" and kind(obj) in _persons_own():
         return False

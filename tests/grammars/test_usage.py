@@ -62,6 +62,7 @@ def test_what_stands_together_by_chance_is_not_understood(text: str) -> None:
         ("press the on button", {"press", "on", "button"}),
         ("whisper good night to Mary", {"whisper", "mary"}),
         ("turn left left", {"turn", "left"}),
+        ("back up the truck", {"back", "truck"}),
     ],
 )
 def test_what_people_say_is(text: str, words: set[str]) -> None:
