@@ -43,6 +43,8 @@ DRAWN: Final = 10  # sentences like an example that must be read as it is
 # "The ball is red" is a fact, "a ball is red" a rule, "anything is red" neither: what something is said of is known.
 KNOWN: Final = "_known"
 BEING: Final = frozenset(("is", "are", "was", "has"))
+# "A thing is red" says too much.
+KINDS: Final = frozenset(("_nominal", "ako"))
 # A sentence may be of another sort with "anybody" in the place of "Mary", or with another condition.
 THINGS: Final = frozenset(("np", "_np", "_described", "_definite", "_one", "_det"))
 CLAUSES: Final = frozenset(
@@ -181,7 +183,10 @@ class _LikeExamples:
             name = KNOWN
         # Any name after any name would be a million pairs.
         second = bool(symbols) and self._is_name(symbols[-1]) and self._is_name(name)
-        if not second and (name == QUOTE or (name in shared and self._has(name, node))):
+        anything = name in KINDS and then in BEING
+        if not (second or anything) and (
+            name == QUOTE or (name in shared and self._has(name, node))
+        ):
             symbols.append(name)
         else:
             self._add_all(node, symbols, shared, then)

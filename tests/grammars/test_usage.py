@@ -95,7 +95,7 @@ def test_what_one_is_or_is_doing_may_be_a_word_that_nobody_taught(text: str, kin
 
 
 @pytest.mark.parametrize(
-    "text", ["it is raining", "that's life", "you are hopeless", "i am walrus", "call me later"]
+    "text", ["that's life", "you are toothless", "i am walrus", "call me later"]
 )
 def test_a_common_word_is_no_name(text: str) -> None:
     with pytest.raises(NotUnderstoodError):
