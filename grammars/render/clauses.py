@@ -6,8 +6,9 @@ from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 from typing import Final
 
+from grammars.earley import closed_words
 from grammars.mentions import WOMEN
-from grammars.morphology import article, comparative, past, third_person
+from grammars.morphology import article, comparative, gerund, past, third_person
 from grammars.render.deeds import be, deed
 from grammars.render.telling import SAYING, Telling, is_predicate, linked, word
 from grammars.render.things import (
@@ -116,11 +117,18 @@ def _doing(telling: Telling, term: Term, adverb: str) -> Clause:
         subject = "she" if telling.term(agent).lex & WOMEN else "he"
     done = deed(telling, term.name, told=True)
     third = be(subject) == "is"
+    if not _is_known(word(term)):  # one that nobody taught is known by its "-ing" only
+        rest = f"{'not ' if term.negated else ''}{adverb}{gerund(done)}"
+        return Clause(subject, be(subject), f"{be(subject)} {rest}", rest)
     verb = "does" if third else "do"
     if term.negated:
         return Clause(subject, verb, f"{adverb}{verb} not {done}", f"{adverb}not {done}")
     stated = past(done) if "teach" in term.lex else third_person(done) if third else done
     return Clause(subject, verb, adverb + stated, adverb + done)
+
+
+def _is_known(verb: str) -> bool:
+    return BORN.knows(verb) or not closed_words().isdisjoint((verb, third_person(verb)))
 
 
 def _picked_out(telling: Telling, name: str) -> bool:
