@@ -192,12 +192,17 @@ def test_productions_are_closed() -> None:
 def test_nonsense_never_breaks_it_and_takes_no_time(sort: str) -> None:
     chance = random.Random(sort)
     for _ in range(100):
-        assert cost_ms(SORTS[sort](chance)) < MOST_MS
+        assert is_quick(SORTS[sort](chance))
 
 
 @pytest.mark.parametrize("text", ENDLESS.values(), ids=ENDLESS.keys())
 def test_what_never_ends_takes_no_time(text: str) -> None:
-    assert min(cost_ms(text) for _ in range(3)) < MOST_MS  # a shared core is slower now and then
+    assert is_quick(text)
+
+
+def is_quick(text: str) -> bool:
+    """At its best: a shared core, or memory being cleared, is slower now and then."""
+    return any(cost_ms(text) < MOST_MS for _ in range(3))
 
 
 def cost_ms(text: str) -> float:
