@@ -101,9 +101,8 @@ def drawn(build: Build, asks: AList, agent: str = "") -> Said:
 def _both(build: Build, asks: AList, subjects: list[AList]) -> Said:
     """ "Did Tim and Oscar come in": the same of each."""
     rest = tuple(part for part in asks if part.name != "both_of")
-    one, other = (drawn(build, AList(asks.name, (np, *rest))) for np in subjects)
-    del other
-    return one
+    of_each = [drawn(build, AList(asks.name, (np, *rest))) for np in subjects]
+    return of_each[0]
 
 
 def _deny(build: Build, node: str, denied: bool) -> str:

@@ -212,11 +212,10 @@ class Build(Things):
         if "dest" not in links and verb == "tell":  # "tell everyone dinner is ready"
             verb = "say"
         act = self.add("act", verb, **links)
-        for voice in speech.first(
-            "say", "tell", "ask"
-        ):  # "shout", "whisper"; "shout it out" says no "it out"
-            if speech.slot("quote").lower().partition(" ")[0] in UNQUOTED:
-                raise NoMeaningError(str(speech))
+        voices = speech.first("say", "tell", "ask").parts  # "shout", "whisper"
+        if voices and speech.slot("quote").lower().partition(" ")[0] in UNQUOTED:
+            raise NoMeaningError(str(speech))  # "shout it out" says no "it out"
+        for voice in voices:
             if voice.name in VOICES:
                 self.add("mod", VOICES[voice.name], mod=act)
         self.modifiers(act, speech)

@@ -7,12 +7,9 @@ terminal matches a word if it is one of the word's readings.
 from __future__ import annotations
 
 import importlib
-import json
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from functools import cache
-from hashlib import sha256
-from importlib.resources import files
 from typing import Any, Final
 
 from lark.exceptions import UnexpectedInput
@@ -24,7 +21,7 @@ from lark.utils import OrderedSet
 
 from grammars.lattice import Token
 from grammars.reading import BrokenOffError
-from grammars.source import grammar_text
+from grammars.source import digest, grammar_text, kept
 from grammars.vocabulary import set_phrases
 
 COMPILED: Final = "grammar.json"
@@ -217,7 +214,7 @@ def compile_grammar() -> dict[str, Any]:
     compiled, _ = load(text, "toplevel.lark", [], False)
     terminals, rules, _ = compiled.compile(["start", "expected"], "*")
     return {
-        "source": sha256(text.encode()).hexdigest(),
+        "source": digest(text),
         "literal": {t.pattern.value: t.name for t in terminals if t.pattern.type == "str"},
         "rules": [
             [
@@ -238,10 +235,7 @@ def compile_grammar() -> dict[str, Any]:
 @cache
 def grammar() -> Grammar:
     """The grammar: from `grammar.json` if that was made of these very files, else compiled now."""
-    kept = files("grammars").joinpath(COMPILED)
-    data = json.loads(kept.read_text("utf8")) if kept.is_file() else {}
-    if data.get("source") != sha256(grammar_text().encode()).hexdigest():
-        data = compile_grammar()
+    data = kept(COMPILED, digest(grammar_text()), compile_grammar)
     rule = cache(_NonTerminal)
     terminal = cache(_Terminal)
     rules = [
@@ -259,7 +253,7 @@ def grammar() -> Grammar:
 
 def productions() -> tuple[Production, ...]:
     """Every rule; a set phrase is a rule of its category."""
-    words = {name: f'"{word}"' for word, name in grammar().literal.items()}
+    words = {name: f'"{word}"' for name, word in written_words().items()}
     phrases = tuple(
         Production(category, tuple(f'"{word}"' for word in phrase.split()))
         for category, said in set_phrases().items()
@@ -272,6 +266,12 @@ def productions() -> tuple[Production, ...]:
         )
         for rule in grammar().rules
     )
+
+
+@cache
+def written_words() -> dict[str, str]:
+    """The words written out in rules, by the names that lark gives their terminals."""
+    return {name: word for word, name in grammar().literal.items()}
 
 
 def closed_words() -> frozenset[str]:

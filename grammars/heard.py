@@ -9,25 +9,23 @@ An example is besides what people say, word for word: a recogniser that weighs w
 
 from __future__ import annotations
 
-import json
 import random
 import re
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
 from functools import cache
-from hashlib import sha256
 from importlib.resources import files
 from typing import Any, Final
 
 from grammars import morphology
 from grammars.automaton import Automaton, sample
 from grammars.chatter import is_chatter
-from grammars.earley import grammar
+from grammars.earley import grammar, written_words
 from grammars.errors import NotUnderstoodError
 from grammars.finite_state import Compiler, Rule, expand
 from grammars.parse import parse
 from grammars.ranking import Leaf, Tree
 from grammars.registry import Form, discover
-from grammars.source import grammar_text, set_categories
+from grammars.source import digest, grammar_text, kept, set_categories
 from grammars.vocabulary import BORN, Vocabulary, lines
 
 COMPILED: Final = "heard.json"
@@ -66,10 +64,7 @@ def phrases(vocabulary: Vocabulary, count: int, seed: int) -> list[str]:
 def skeleton() -> Automaton:
     """The language with categories in the place of their words: from `heard.json` if that was made of these very
     files, else compiled now."""
-    kept = files("grammars").joinpath(COMPILED)
-    data = json.loads(kept.read_text("utf8")) if kept.is_file() else {}
-    if data.get("source") != _source():
-        data = compile_heard()
+    data = kept(COMPILED, _source(), compile_heard)
     arcs = tuple((source, word, target) for source, word, target in data["arcs"])
     return Automaton(data["start"], frozenset(data["finals"]), arcs, tuple(data["typical"]))
 
@@ -79,7 +74,7 @@ def compile_heard() -> dict[str, Any]:
     rules = heard_rules()
     made = Compiler(rules).compiled(START)
     spoken = expand(made, spoken_words(BORN))
-    typical = (said(example) for form in discover().values() for example in form.examples)
+    typical = map(said, _examples())
     return {
         "source": _source(),
         "start": made.start,
@@ -91,9 +86,12 @@ def compile_heard() -> dict[str, Any]:
 
 def _source() -> str:
     """What the skeleton is made of."""
-    examples = (example for form in discover().values() for example in form.examples)
-    text = "\n".join((grammar_text(), _stand_ins(), *lines("heard"), *examples))
-    return sha256(text.encode()).hexdigest()
+    return digest("\n".join((grammar_text(), _stand_ins(), *lines("heard"), *_examples())))
+
+
+def _examples() -> Iterator[str]:
+    for form in discover().values():
+        yield from form.examples
 
 
 def said(sentence: str) -> str:
@@ -207,7 +205,11 @@ class _LikeExamples:
         word = token.piece.text
         if more := next((sort for sort in SORTS.get(name, ()) if word in self._words[sort]), ""):
             return more
-        if name in _literals() or token.piece.kind != "word" or word in self._words.get(name, ()):
+        if (
+            name in written_words()
+            or token.piece.kind != "word"
+            or word in self._words.get(name, ())
+        ):
             return _written(name)
         return f'"{word}"'
 
@@ -235,13 +237,8 @@ def _sentences(tree: Tree, form: str) -> Iterator[Tree]:
 
 def _written(name: str) -> str:
     """A word that is written out in a rule instead of the name lark gives it; any other symbol as it is."""
-    word = None if name in set_categories() else _literals().get(name)
+    word = None if name in set_categories() else written_words().get(name)
     return name if word is None else f'"{word}"'
-
-
-@cache
-def _literals() -> Mapping[str, str]:
-    return {name: word for word, name in grammar().literal.items()}
 
 
 def spoken_words(vocabulary: Vocabulary) -> dict[str, tuple[str, ...]]:

@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+import json
+from collections.abc import Callable
 from functools import cache
+from hashlib import sha256
 from importlib.resources import files
-from typing import Final
+from typing import Any, Final
 
 from grammars.registry import discover
 from grammars.vocabulary import set_phrases
@@ -38,6 +41,7 @@ def terminal_cost(terminal: str) -> int:
     return SET_PHRASE_COST if terminal in set_categories() else TERMINAL_COST.get(terminal, 0)
 
 
+@cache
 def grammar_text() -> str:
     """The whole grammar."""
     names = sorted(discover())
@@ -49,3 +53,15 @@ def grammar_text() -> str:
         parts.append(f"{symbol}: {' | '.join(of_these)}")
     parts.append("%declare " + " ".join((*CATEGORIES, *sorted(set_categories()))))
     return "\n".join(parts)
+
+
+def digest(text: str) -> str:
+    """Tells one source from another."""
+    return sha256(text.encode()).hexdigest()
+
+
+def kept(name: str, source: str, make: Callable[[], dict[str, Any]]) -> dict[str, Any]:
+    """What was compiled ahead of time into that file, if it was made of the source with this digest, else made now."""
+    file = files("grammars").joinpath(name)
+    data: dict[str, Any] = json.loads(file.read_text("utf8")) if file.is_file() else {}
+    return data if data.get("source") == source else make()

@@ -15,6 +15,7 @@ from grammars.chains import TIMES
 from grammars.mentions import PLACES, compounded
 from grammars.topics import DEEDS
 from kernel.memory.meaning import Ask, Question
+from kernel.net.graphlet import Graphlet
 
 ASKS: Final[dict[str, Ask]] = {
     "who": "who", "whom": "who", "whose": "who", "what": "what", "which": "which",
@@ -107,11 +108,7 @@ def wanted(build: Build, body: AList) -> Question:
     asks = body.find("asks")
     if asks is None:  # "what room are you in"
         ask, wanted, thing = asked_thing(build, wh)
-        strand = body.slot("strand")
-        there = build.add(
-            "loc", PLACES.get(strand, strand), loc=build.thing(body.first("np")), wrt=thing
-        )
-        return Question(ask, build.graphlet(there), wanted)
+        return Question(ask, _there(build, body, body.slot("strand"), thing), wanted)
     if wh.has("unit"):
         return _amount(build, wh, asks)
     if (
@@ -134,6 +131,13 @@ def wanted(build: Build, body: AList) -> Question:
         topic = ""
     counted = ask == "howmany" and topic == "did"
     return Question(ask, build.graphlet(so.main), "" if counted else wanted, topic)
+
+
+def _there(build: Build, body: AList, word: str, mark: str) -> Graphlet:
+    """What is asked about is in, on, under ... that."""
+    return build.graphlet(
+        build.add("loc", PLACES.get(word, word), loc=build.thing(body.first("np")), wrt=mark)
+    )
 
 
 def _anything(build: Build, body: AList, asks: AList) -> Question | None:
@@ -175,10 +179,7 @@ def fronted(build: Build, body: AList) -> Question:
     ask, wanted, thing = asked_thing(build, body.first("wh"))
     front = body.slot("fronting")
     if (asks := body.find("asks")) is None:
-        there = build.add(
-            "loc", PLACES.get(front, front), loc=build.thing(body.first("np")), wrt=thing
-        )
-        return Question(ask, build.graphlet(there), wanted)
+        return Question(ask, _there(build, body, front, thing), wanted)
     so = drawn(build, asks)
     fill(build, so.inner or so.main, thing, front, asks)
     topic = _topic(build, so)

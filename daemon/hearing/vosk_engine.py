@@ -99,12 +99,15 @@ class VoskRecogniser:
                 unheard.append(word)
         self._language = restrict(language, language.words.difference(unheard))
         parts_of = {word: parts for parts, word in self._joined.items()}
-        phrases = [
-            " ".join(parts_of.get(word, word) for word in phrase.split())
-            if not parts_of.keys().isdisjoint(phrase.split())
-            else phrase
-            for phrase in cover(self._language) + list(self._language.typical) * TYPICAL
-        ]
+
+        def spelled(phrase: str) -> str:
+            words = phrase.split()
+            if parts_of.keys().isdisjoint(words):
+                return phrase
+            return " ".join(parts_of.get(word, word) for word in words)
+
+        phrases = [*map(spelled, cover(self._language))]
+        phrases += [*map(spelled, self._language.typical)] * TYPICAL
         grammar = phrases + [UNKNOWN] * (1 + len(phrases) // UNKNOWN_SHARE)
         self._recogniser = vosk.KaldiRecognizer(self._model, float(RATE_HZ), json.dumps(grammar))
         self._recogniser.SetMaxAlternatives(ALTERNATIVES)
