@@ -25,7 +25,7 @@ from grammars.finite_state import Compiler, Rule, expand
 from grammars.parse import parse
 from grammars.ranking import Leaf, Tree
 from grammars.registry import Form, discover
-from grammars.source import digest, grammar_text, kept, set_categories
+from grammars.source import digest, grammar_text, kept
 from grammars.vocabulary import BORN, Vocabulary, lines
 
 COMPILED: Final = "heard.json"
@@ -237,7 +237,7 @@ def _sentences(tree: Tree, form: str) -> Iterator[Tree]:
 
 def _written(name: str) -> str:
     """A word that is written out in a rule instead of the name lark gives it; any other symbol as it is."""
-    word = None if name in set_categories() else written_words().get(name)
+    word = written_words().get(name)
     return name if word is None else f'"{word}"'
 
 

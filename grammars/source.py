@@ -51,7 +51,8 @@ def grammar_text() -> str:
     for symbol, expected in (("_form", False), ("_answer", True)):
         of_these = [name for name in names if discover()[name].expected is expected]
         parts.append(f"{symbol}: {' | '.join(of_these)}")
-    parts.append("%declare " + " ".join((*CATEGORIES, *sorted(set_categories()))))
+    # Declared alone, GOOD would be the name lark gives the word "good" where a rule has it written out.
+    parts += (f"{name}: /{name}/" for name in (*CATEGORIES, *sorted(set_categories())))
     return "\n".join(parts)
 
 

@@ -11,16 +11,22 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from grammars.earley import COMPILED, closed_words, compile_grammar, productions
+from grammars.earley import COMPILED, closed_words, compile_grammar, grammar, productions
 from grammars.errors import NotUnderstoodError
 from grammars.parse import parse
 from grammars.reading import Parsed
 from grammars.render import render
+from grammars.source import CATEGORIES, set_categories
 from grammars.vocabulary import BORN
 from tests.grammars.salad import ENDLESS, SORTS
 
 MOST_MS = 200
 WORDS = sorted({*BORN.everything, *closed_words()})
+
+
+def test_a_word_written_out_in_a_rule_is_told_from_the_category_of_that_name() -> None:
+    assert grammar().literal.keys() >= {"good", "place", "person"}
+    assert not {*CATEGORIES, *set_categories()} & {*grammar().literal.values()}
 
 
 @pytest.mark.parametrize("text", ["not the one the one", "not the red one the one"])
