@@ -25,10 +25,10 @@ from grammars.mentions import (
     ASKING,
     OWNING,
     SELF_OWN,
-    TIMES_OF_DAY,
     Thing,
     degree,
     is_person,
+    is_time,
     place_word,
 )
 from grammars.things import Things
@@ -167,7 +167,7 @@ class Build(Things):
 
     def _placed(self, act: str, loc: AList) -> None:
         """Where it is done; "look at each block" is done in a loop. When it is to be done the robot does not know."""
-        if not self.pattern and loc.has("np") and loc.first("np").slot("ako") in TIMES_OF_DAY:
+        if not self.pattern and is_time(loc):
             raise NoMeaningError(str(loc))
         if (every := loc.find("every")) is None:
             self.place("loc", act, loc)
@@ -199,7 +199,7 @@ class Build(Things):
             links["obj"] = self.add("txt", literal=quote.value or "")
             if verb == "ask" and not speech.has("listener") and words[0] not in ASKING:
                 raise NoMeaningError(str(speech))
-        elif not is_person(speech.first("listener")):
+        elif not is_person(asked := speech.first("listener")) and asked.slot("pron") != "me":
             raise NoMeaningError(str(speech))
         hearer = speech.find("hearer", "listener")
         if hearer is not None and hearer.parts:

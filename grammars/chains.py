@@ -65,6 +65,8 @@ def plays(build: Build, play: AList) -> list[Play]:
                 required.append(Directive("ACH", _claim(build, part.first("clause"))))
             case "keeping":
                 beside.append(Directive("KEEP", _claim(build, part)))
+            case "avoiding":
+                beside += [Directive("KEEP", avoided) for avoided in _avoided(build, part)]
             case "waiting":
                 required.append(Directive("WAIT", condition(build, part.first("conds"))))
             case "ceasing":
@@ -86,6 +88,21 @@ def _claim(build: Build, part: AList) -> Graphlet:
         claim = build.graphlet(clause(build, part))
     build.finds[known:] = [g for g in build.finds[known:] if g.terms != (Term(g.main),)]
     return claim
+
+
+def _avoided(build: Build, avoiding: AList) -> list[Graphlet]:
+    """What the robot is not to be doing meanwhile: "without turning or stopping". It is watched, and nothing is looked
+    up for it."""
+    found = []
+    for part in avoiding:
+        if part.name == "avoiding":
+            found += _avoided(build, part)
+            continue
+        with build.drawing(pattern=True):
+            act = build.action(part)
+            build.sketch.change(act, negated=True)
+            found.append(build.graphlet(act))
+    return found
 
 
 def _loop(build: Build, loop: AList) -> Loop:

@@ -7,15 +7,17 @@ from typing import TYPE_CHECKING, Final
 from grammars.alist import AList
 from grammars.errors import NoMeaningError
 from grammars.hedges import preference
-from grammars.mentions import VERB_SLOTS
-from grammars.usage import is_abstract, is_kind_of_it, usages
+from grammars.mentions import TIMES_OF_DAY, VERB_SLOTS, is_time
+from grammars.usage import is_abstract, is_kind_of_it, kind, usages
 from kernel.action.chain import Directive
+from kernel.memory.contraries import EXCLUSIVE
 from kernel.memory.lesson import Operator
 from kernel.net.graphlet import Graphlet, Term
 
 if TYPE_CHECKING:
     from grammars.build import Build
 
+PAIRS: Final = tuple(group for group in EXCLUSIVE if len(group) == 2)
 PUTTING: Final = ("put", "place", "lay", "set", "stack", "put down", "set down", "lay down")
 
 
@@ -33,6 +35,8 @@ def condition(build: Build, conds: AList) -> Graphlet:
 
 def stated(build: Build, conds: AList) -> Graphlet:
     """The same on the present board: what is definite is looked up where that is drawn no pattern."""
+    if time := conds.slot("daypart"):
+        return build.graphlet(_it_is(build, time))
     first, *more = flat(conds)
     mains = [clause(build, first, topical=True), *(clause(build, part) for part in more)]
     build.claims.update(mains)
@@ -58,6 +62,12 @@ def clause(build: Build, part: AList, subject: str = "", topical: bool = False) 
     if (failing := part.find("failing")) is not None:
         act = build.act_or_any(failing.find("action"))
         return build.add("act", "fail", agt=build.oneself("you"), obj=act)
+    if (all_so := part.find("all_so")) is not None:
+        return _all_so(build, all_so)
+    if part.has("speaking"):  # "without saying goodbye"
+        act = build.action(part)
+        build.sketch.link(act, "agt", build.oneself("you"))
+        return act
     objects = part.all("np", "base_np")
     if subject:
         agent = subject
@@ -81,6 +91,9 @@ def clause(build: Build, part: AList, subject: str = "", topical: bool = False) 
         return build.quality(agent, qual, negated)
     if (where := part.find("whereis")) is not None:
         return build.add("act", "ask", agt=agent, obj=build.whereabouts(where))
+    if (listener := part.find("listener")) is not None and listener.parts:
+        asked = build.thing(listener, person=True)
+        return build.add("act", "ask", agt=agent, dest=asked, negated=negated)
     if part.has("quote"):
         txt = build.add("txt", literal=part.slot("quote"))
         return build.add("act", "say", agt=agent, obj=txt)
@@ -104,9 +117,17 @@ def _subject(build: Build, np: AList, part: AList) -> str:
     kindof = None if pred is None else pred.find("kindof")
     if kindof is not None and not is_kind_of_it(np, kindof):
         raise NoMeaningError(str(part))
+    if np.slot("pron") == "it" and build.pattern and _tells_time(pred):
+        return build.add("obj", ref="it")
     if np.slot("pron") == "it" and pred is not None and pred.has("isname"):
         return build.pronoun("they")
     return build.thing(np)
+
+
+def _tells_time(pred: AList | None) -> bool:
+    """ "It is night": of nothing in particular."""
+    qual = None if pred is None else pred.find("qual")
+    return qual is not None and (qual.value or qual.slot("hq")) in TIMES_OF_DAY
 
 
 def _exists(build: Build, exists: AList) -> str:
@@ -125,6 +146,17 @@ def _exists(build: Build, exists: AList) -> str:
                 build.sketch.change(term.name, negated=negated)
                 return term.name
     raise NoMeaningError(str(exists))
+
+
+def _all_so(build: Build, all_so: AList) -> str:
+    """ "Everybody is awake": nobody is asleep. Of what has no one contrary the net cannot say it."""
+    quality = all_so.slot("hq")
+    contrary = [word for group in PAIRS if quality in group for word in group - {quality}]
+    if not contrary:
+        raise NoMeaningError(str(all_so))
+    vague = "something" if all_so.has("everything") else "somebody"
+    who = build.thing(AList("np", (AList("vague", value=vague),)))
+    return build.add("hq", contrary[0], hq=who, negated=True)
 
 
 def _doing(build: Build, part: AList, agent: str, objects: list[AList], negated: bool) -> str:
@@ -150,9 +182,14 @@ def _doing(build: Build, part: AList, agent: str, objects: list[AList], negated:
     elif body.has("name"):
         links["obj"] = build.thing(body, person=False)
     if (dest := body.find("dest")) is not None:
+        if dest.has("every"):
+            raise NoMeaningError(str(dest))
         links["dest"] = build.aside(dest.first("np"))
     act = build.add("act", verb, negated=negated or build.negative, **links)
-    build.modifiers(act, body)
+    rest, times = _timed(body) if build.pattern and not build.trigger else (body, [])
+    build.modifiers(act, rest)
+    for time in times:
+        _it_is(build, time)
     if going is not None and body is part and objects:
         build.add("act", going.slot("gerund") or going.value or "", agt=links["obj"])
     return act
@@ -202,8 +239,9 @@ def _describes(build: Build, term: Term, mine: list[Term]) -> bool:
 def around(build: Build, alist: AList, tag: str) -> Operator:
     """What is done before or after an act, when it is and when it is not."""
     with build.drawing(pattern=True, trigger=True):
-        trigger = build.graphlet(build.action(alist.first("action", "gerunding", "did_it")))
-    enabled = enablement(build, alist)
+        deed, times = by_time(build, alist.first("action", "gerunding", "did_it"))
+        trigger = build.graphlet(build.action(deed))
+    enabled = (*times, *enablement(build, alist))
     chain = build.chain(alist.first("chain"))
     return Operator(
         Directive(tag, trigger),
@@ -212,6 +250,29 @@ def around(build: Build, alist: AList, tag: str) -> Operator:
         unless=exception(build, alist),
         preference=preference(alist.slot("pref")),
     )
+
+
+def by_time(build: Build, action: AList) -> tuple[AList, tuple[Graphlet, ...]]:
+    """A deed without the time of day that it is done at, and that it is that time: "never sing at night"."""
+    rest, times = _timed(action)
+    found = []
+    for time in times:
+        with build.drawing(pattern=True):
+            found.append(build.graphlet(_it_is(build, time)))
+    return rest, tuple(found)
+
+
+def _timed(said: AList) -> tuple[AList, list[str]]:
+    """The same without times of day, and these."""
+    times = [part for part in said.all("place") if is_time(part.first("loc"))]
+    rest = tuple(part for part in said if part not in times)
+    words = [kind(part.first("loc").first("np")) for part in times]
+    return (AList(said.name, rest, said.value) if times else said), words
+
+
+def _it_is(build: Build, time: str) -> str:
+    """Node that says what time of day it is."""
+    return build.add("hq", time, hq=build.add("obj", ref="it"))
 
 
 def told(build: Build, speaker: AList, act: str) -> str:

@@ -112,6 +112,11 @@ def place_word(loc: AList) -> str:
     return PLACES.get(word, word)
 
 
+def is_time(loc: AList) -> bool:
+    """When something is done, not where: "in the evening"."""
+    return loc.has("np") and loc.first("np").slot("ako") in TIMES_OF_DAY
+
+
 def is_definite(np: AList) -> bool:
     """The noun phrase is about something in particular."""
     return np.slot("det") in REFS or any(np.has(part) for part in ("name", "own", "owner"))

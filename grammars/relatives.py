@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Final
 
 from grammars.alist import AList
 from grammars.errors import NoMeaningError
-from grammars.mentions import SELF, VERB_SLOTS
+from grammars.mentions import SELF, VERB_SLOTS, is_time
 
 if TYPE_CHECKING:
     from grammars.things import Things
@@ -17,6 +17,8 @@ LEADING: Final = ("into", "onto", "through", "past", "out of", "away from")
 
 def relative(build: Things, name: str, rel: AList) -> None:
     """Narrow a thing down: "that is not blue", "next to the wall", "on the left", "called Pookie"."""
+    if (loc := rel.find("loc")) is not None and is_time(loc):
+        raise NoMeaningError(str(rel))  # "noise at night" is no sort of noise
     if rel.has("name"):
         build.sketch.change(name, lex=frozenset({rel.slot("name")}))
     elif (pred := rel.find("pred")) is not None:

@@ -75,10 +75,18 @@ class RunningStep(AdvisedStep):
             net.link(self.node, "agt", me)
             self.commons.begun.append(self.node)
 
+    @property
+    def avoids(self) -> bool:
+        """What is wanted is that the robot does something not."""
+        graphlet = self.directive.graphlet
+        head = None if graphlet is None else graphlet.head
+        return head is not None and head.kind == "act" and head.negated
+
     def halt(self) -> None:
-        """End what matches, but for what this is a step of."""
-        if self.directive.graphlet is not None:
-            stop_matching(self.commons, self.directive.graphlet, self.frame.acts)
+        """End what matches, or what is to be avoided, but for what this is a step of."""
+        if (graphlet := self.directive.graphlet) is not None:
+            pattern = graphlet.denied() if self.avoids else graphlet
+            stop_matching(self.commons, pattern, self.frame.acts)
 
     # -- what directives ask for -----------------------------------------------------------
 

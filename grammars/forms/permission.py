@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from grammars.alist import AList
 from grammars.build import Build
-from grammars.clauses import enablement, exception, settled
+from grammars.clauses import by_time, enablement, exception, settled
 from grammars.registry import sentence_form
 from kernel.action.chain import Chain, Directive
 from kernel.memory.lesson import Operator
@@ -25,14 +25,15 @@ def permission(alist: AList) -> Teach:
     build = Build()
     first = alist.parts[0].name == "conds"
     before = enablement(build, alist) if first else ()
+    deed, times = by_time(build, _once_more(alist.first("action", "gerunding")))
     with build.drawing(pattern=True):
-        trigger = build.graphlet(build.action(_once_more(alist.first("action", "gerunding"))))
+        trigger = build.graphlet(build.action(deed))
     if first:
         trigger, before = settled(build, trigger, before)
     operator = Operator(
         Directive("ALLOW", trigger),
         Chain(),
-        enablement=before or enablement(build, alist),
+        enablement=(*times, *(before or enablement(build, alist))),
         unless=exception(build, alist),
     )
     return Teach("permission", operator)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from grammars.alist import AList
 from grammars.build import Build, NoMeaningError
-from grammars.clauses import enablement, exception, settled
+from grammars.clauses import by_time, enablement, exception, settled
 from grammars.registry import sentence_form
 from kernel.action.chain import Chain, Directive, Play
 from kernel.memory.lesson import Operator
@@ -31,8 +31,13 @@ def prohibition(alist: AList) -> Teach:
     build = Build()
     first = next(part.name for part in alist if part.name in ("action", "gerunding", "np", "conds"))
     before = enablement(build, alist) if first == "conds" else ()
+    deed, times = by_time(build, _done(alist))
     with build.drawing(pattern=True, trigger=True):
-        trigger = build.graphlet(build.action(_done(alist)))
+        trigger = build.graphlet(
+            build.add("act", dest=build.aside(deed))
+            if alist.has("keep_off")
+            else build.action(deed)
+        )
         if alist.has("none_to") and not build.negative:
             raise NoMeaningError("what must be done")
     after = enablement(build, alist) if first != "conds" else ()
@@ -43,16 +48,19 @@ def prohibition(alist: AList) -> Teach:
     operator = Operator(
         Directive("ANTE", trigger),
         Chain((*plays, Play((Directive("PUNT"),)))),
-        enablement=before or after,
+        enablement=(*times, *(before or after)),
         unless=exception(build, alist),
     )
     return Teach("prohibition", operator)
 
 
 def _done(alist: AList) -> AList:
-    """The deed; of "the vase must not be touched" too."""
-    if (verb := alist.find("done_to", "none_to")) is None:
+    """The deed; of "the vase must not be touched" too. What is kept away from is not done, but gone to."""
+    if alist.has("keep_off"):
+        return alist.first("np")
+    if (verb := alist.find("done_to", "none_to")) is None and not alist.has("off"):
         return alist.first("action", "gerunding")
-    if alist.first("np").has("pron"):
+    np = alist.first("np")
+    if np.has("pron") and verb is not None:
         raise NoMeaningError("it can not be helped")
-    return AList("action", (AList("act", value=verb.value), alist.first("np")))
+    return AList("action", (AList("act", value="touch" if verb is None else verb.value), np))

@@ -249,14 +249,22 @@ def _prohibition(telling: Telling, content: Operator) -> str:
     elif (only := _only_from(telling, content)) is not None:
         return only
     else:
-        never = deed(telling, _main(content))
-        said = f"{'I will never' if robot else 'never'} {never}{_enabled(telling, content)}"
+        said = _kept_from(telling, content) + _enabled(telling, content)
         said += _except(telling, content)
     if not instead.plays:
         return said
     if robot:
         return f"{said}, instead I will {procedure(telling, instead)}"
     return f"{said} but instead {procedure(telling, instead)}"
+
+
+def _kept_from(telling: Telling, content: Operator) -> str:
+    """ "Never touch the stove"; "keep away from the stairs" where it is any deed that leads there."""
+    robot = telling.voice == "robot"
+    act = telling.term(_main(content))
+    if not act.lex and [role for role, _ in act.links] == ["dest"]:
+        return f"{'I will ' if robot else ''}keep away from {thing(telling, linked(act, 'dest'))}"
+    return f"{'I will never' if robot else 'never'} {deed(telling, act.name)}"
 
 
 def _only_from(telling: Telling, content: Operator) -> str | None:

@@ -41,6 +41,8 @@ def claimed(chain: Chain) -> Iterator[Term]:
 def _watched(chain: Chain) -> Iterator[Graphlet]:
     for directive in chain.directives():
         if directive.tag in ("ACH", "CHK", "KEEP", "WAIT") and directive.graphlet is not None:
+            if _avoided(directive) is not None:
+                continue
             yield directive.graphlet
     for play in chain.plays:
         for part in (*play.required, *play.auxiliary):
@@ -91,10 +93,23 @@ def _play(telling: Telling, play: Play, form: VerbForm, spoken: set[str]) -> str
         kept, ended = until
         return f"{_kept_so(telling, kept, 'keep')} until {conditions(telling, ended)}"
     required = [_part(telling, part, form, spoken) for part in play.required]
-    beside = [_part(telling, part, "gerund", spoken) for part in play.auxiliary]
+    avoided = [avoid for part in play.auxiliary if (avoid := _avoided(part)) is not None]
+    others = (part for part in play.auxiliary if _avoided(part) is None)
+    beside = [_part(telling, part, "gerund", spoken) for part in others]
     together = " and ".join(filter(None, required))
-    meanwhile = " and ".join(filter(None, beside))
-    return f"{together} while {meanwhile}" if meanwhile else together
+    if meanwhile := " and ".join(filter(None, beside)):
+        together += f" while {meanwhile}"
+    if avoided:
+        together += f" without {' or '.join(deed(telling, g.main, 'gerund') for g in avoided)}"
+    return together
+
+
+def _avoided(part: Part) -> Graphlet | None:
+    """What the robot is to keep from doing."""
+    match part:
+        case Directive("KEEP", Graphlet() as graphlet) if graphlet.main.startswith("act"):
+            return graphlet
+    return None
 
 
 def _part(telling: Telling, part: Part, form: VerbForm, spoken: set[str]) -> str:

@@ -44,8 +44,12 @@ class Step(Protocol):
     def complain(self, reason: StepReason) -> None:
         """Say why, once, without failing."""
 
+    @property
+    def avoids(self) -> bool:
+        """What is wanted is that the robot does something not."""
+
     def halt(self) -> None:
-        """End every act that matches the graphlet, in whatever is going on."""
+        """End every act that matches the graphlet, or that is to be avoided, in whatever is going on."""
 
     def truth(self) -> bool | None:
         """Whether memory holds the graphlet (True), its denial (False), or neither."""
