@@ -58,6 +58,11 @@ def whether(build: Build, asks: AList) -> Question:
     return Question("yesno", build.graphlet(so.main), "", topic)
 
 
+def _order_topic(so: Said) -> str:
+    """The topic, if it is what somebody told the robot or may tell it."""
+    return so.topic if so.topic in ORDERS else ""
+
+
 def _says_nothing(build: Build, so: Said) -> bool:
     """ "Did you say": what is said is missing."""
     term = build.sketch.terms[so.inner or so.main]
@@ -66,9 +71,8 @@ def _says_nothing(build: Build, so: Said) -> bool:
 
 def _topic(build: Build, so: Said) -> str:
     """What of the robot's own doings is asked about; where it is nothing of that sort, its act gets its agent."""
-    if so.topic in ORDERS:
-        return so.topic
-    topic = ""
+    if topic := _order_topic(so):
+        return topic
     if so.own:
         topic = "did" if so.past else "doing" if so.going else so.topic.removeprefix("request")
     if so.own and not topic:
@@ -99,7 +103,7 @@ def subject(build: Build, body: AList) -> Question:
     """ "Who moved the ladder", "which cup belongs to Lucy", "how many cups are empty"."""
     ask, wanted, thing = asked_thing(build, body.first("wh"))
     so = drawn(build, body, thing)
-    return Question(ask, build.graphlet(so.main), wanted, so.topic if so.topic in ORDERS else "")
+    return Question(ask, build.graphlet(so.main), wanted, _order_topic(so))
 
 
 def wanted(build: Build, body: AList) -> Question:
@@ -262,7 +266,7 @@ def cleft(build: Build, body: AList) -> Question:
     clefted = body.first("clefted")
     who = build.thing(clefted.first("np"), person=True)
     so = drawn(build, AList("asks", tuple(part for part in body if part.name != "clefted")), who)
-    return Question("yesno", build.graphlet(so.main), "", so.topic if so.topic in ORDERS else "")
+    return Question("yesno", build.graphlet(so.main), "", _order_topic(so))
 
 
 def same_thing(build: Build, body: AList) -> Question:
@@ -284,6 +288,4 @@ def why(build: Build, body: AList) -> Question:
     so = drawn(build, asks)
     if so.own:
         return Question("why", build.graphlet(so.main), "", "did")
-    return Question(
-        "why", build.graphlet(so.main), "", so.topic if so.topic in ORDERS else "taught"
-    )
+    return Question("why", build.graphlet(so.main), "", _order_topic(so) or "taught")
