@@ -15,7 +15,7 @@ from grammars.parse import parse
 from grammars.replies import say
 from grammars.vocabulary import Vocabulary, extended, from_policy
 from kernel.managing import whole
-from kernel.memory.lesson import Content, Lesson, LessonKind
+from kernel.memory.lesson import Lesson, LessonKind
 from kernel.memory.meaning import Fact, Meaning, Teach
 from kernel.memory.notation import canonical, write
 
@@ -33,11 +33,11 @@ class Plan:
     """What is to be taught, in the order in which each sentence can be understood.
 
     Attributes:
-        new: to be said; known: lines whose net is in force already.
+        new: to be said, with what they teach; known: lines whose nets are in force already.
         wrong: where there are any, nothing is to be taught.
     """
 
-    new: tuple[tuple[Line, Lesson], ...]
+    new: tuple[tuple[Line, tuple[Lesson, ...]], ...]
     known: tuple[Line, ...]
     wrong: tuple[Wrong, ...]
 
@@ -48,9 +48,9 @@ class _Reading:
 
     vocabulary: Vocabulary
 
-    def learn(self, lesson: Lesson) -> None:
-        """Know its words, as the robot will when the line is said (daemon/loop.py)."""
-        self.vocabulary = extended(self.vocabulary, [lesson])
+    def learn(self, lessons: tuple[Lesson, ...]) -> None:
+        """Know their words, as the robot will when the line is said (daemon/loop.py)."""
+        self.vocabulary = extended(self.vocabulary, lessons)
 
 
 def plan(lines: Sequence[Line], rows: Iterable[Row]) -> Plan:
@@ -61,7 +61,7 @@ def plan(lines: Sequence[Line], rows: Iterable[Row]) -> Plan:
     in_force = [row.lesson for row in rows if row.counts]
     known = Counter(map(_key, in_force))
     reading = _Reading(from_policy([*born(), *in_force]))
-    new: list[tuple[Line, Lesson]] = []
+    new: list[tuple[Line, tuple[Lesson, ...]]] = []
     repeated: list[Line] = []
     wrong: list[Wrong] = []
     waiting, before = list(lines), len(lines) + 1
@@ -75,7 +75,7 @@ def _pass(
     lines: list[Line],
     reading: _Reading,
     known: Counter[tuple[str, str]],
-    new: list[tuple[Line, Lesson]],
+    new: list[tuple[Line, tuple[Lesson, ...]]],
     repeated: list[Line],
     wrong: list[Wrong],
 ) -> list[Line]:
@@ -87,29 +87,29 @@ def _pass(
         except NotUnderstoodError:
             waiting.append(line)
             continue
-        lesson = lesson_of(meaning, line.text)
+        lessons = lessons_of(meaning, line.text)
         if len(line.speaker or "") > NAME_LENGTH:
             wrong.append(Wrong(line, f"a name has at most {NAME_LENGTH} characters"))
-        elif lesson is None:
+        elif not lessons:
             kind = type(meaning).__name__.lower()
             wrong.append(Wrong(line, f"a {kind} is no lesson: say it to the robot (`sayso say`)"))
-        elif known[_key(lesson)] > 0:
-            known[_key(lesson)] -= 1
+        elif all(known[_key(lesson)] > 0 for lesson in lessons):
+            known.subtract(map(_key, lessons))
             repeated.append(line)
         else:
-            reading.learn(lesson)
-            new.append((line, lesson))
+            reading.learn(lessons)
+            new.append((line, lessons))
     return waiting
 
 
-def lesson_of(meaning: Meaning, words: str) -> Lesson | None:
-    """The lesson a sentence teaches or the fact it tells, not stored; None for all else."""
+def lessons_of(meaning: Meaning, words: str) -> tuple[Lesson, ...]:
+    """The lessons a sentence teaches or the fact it tells, not stored; none for all else."""
     match meaning:
-        case Teach(kind, content):
-            return Lesson(0, kind, canonical(content), words)
+        case Teach(kind) as taught:
+            return tuple(Lesson(0, kind, canonical(each), words) for each in taught.contents)
         case Fact() as fact:
-            return Lesson(0, "fact", whole(fact), words)
-    return None
+            return (Lesson(0, "fact", whole(fact), words),)
+    return ()
 
 
 def changed(rows: Sequence[Row]) -> Iterator[tuple[Row, str]]:
@@ -118,18 +118,18 @@ def changed(rows: Sequence[Row]) -> Iterator[tuple[Row, str]]:
     vocabulary = from_policy([*born(), *(lesson for _, lesson in lessons)])
     for row, lesson in lessons:
         now, kind = _now(row.words, vocabulary)
-        if now is None or (kind, write(now)) != _key(lesson):
+        if _key(lesson) not in map(_key, now):
             yield row, kind
 
 
-def _now(words: str, vocabulary: Vocabulary) -> tuple[Content | None, LessonKind | str]:
-    """Content and kind of the words, or nothing and why not."""
+def _now(words: str, vocabulary: Vocabulary) -> tuple[tuple[Lesson, ...], LessonKind | str]:
+    """What the words teach, and of which kind; or nothing and why not."""
     try:
         parsed = parse(words, vocabulary)
     except NotUnderstoodError:
-        return None, "no longer understood"
-    lesson = lesson_of(parsed.meaning, words)
-    return (lesson.content, lesson.kind) if lesson else (None, f"now a {parsed.kind}")
+        return (), "no longer understood"
+    lessons = lessons_of(parsed.meaning, words)
+    return lessons, lessons[0].kind if lessons else f"now a {parsed.kind}"
 
 
 def _key(lesson: Lesson) -> tuple[str, str]:

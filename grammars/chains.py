@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from functools import cache
-from typing import TYPE_CHECKING, Final
+from typing import TYPE_CHECKING, Final, TypeVar
 
 from grammars.alist import AList
+from grammars.alternatives import alternatives, one_each
 from grammars.clauses import clause, condition
 from grammars.errors import NoMeaningError
 from grammars.vocabulary import BORN, lines
@@ -16,6 +17,7 @@ if TYPE_CHECKING:
     from grammars.build import Build
 
 
+P = TypeVar("P", Directive, Loop)
 TURNS: Final = frozenset(("left", "right", "clockwise", "counterclockwise", "around"))
 TIMES: Final = frozenset(("second", "minute", "hour"))
 FRACTIONS: Final = {"quarter": 0.25, "half": 0.5}
@@ -60,6 +62,8 @@ def plays(build: Build, play: AList) -> list[Play]:
             case "kept":
                 beside.append(Directive("KEEP", _claim(build, part.first("keeping"))))
                 until = part.first("until").first("conds")
+                if len(alternatives(until)) > 1:
+                    raise NoMeaningError(str(part))
                 required.append(Directive("WAIT", condition(build, until)))
             case "ensuring":
                 required.append(Directive("ACH", _claim(build, part.first("clause"))))
@@ -68,7 +72,8 @@ def plays(build: Build, play: AList) -> list[Play]:
             case "avoiding":
                 beside += [Directive("KEEP", avoided) for avoided in _avoided(build, part)]
             case "waiting":
-                required.append(Directive("WAIT", condition(build, part.first("conds"))))
+                first, *others = _watched(build, part)
+                required.append(_or_until(Directive("WAIT", first), others))
             case "ceasing":
                 with build.drawing(pattern=True):
                     act = build.action(part.first("gerunding"))
@@ -111,19 +116,36 @@ def _loop(build: Build, loop: AList) -> Loop:
         build.every(every)
         (each, build.each), (times, build.times) = (build.each, None), (build.times, None)
         return Loop(build.chain(loop.first("chain")), times, each=each)
-    times, body = None, Chain()
+    times, body, others = None, Chain(), []
     conditions: dict[str, Graphlet] = {}
     for part in loop:
         match part.name:
             case "until" | "whiling":
-                conditions[part.name] = condition(build, part.first("conds"))
+                conditions[part.name], *more = _watched(build, part)
+                if more and part.name == "whiling":
+                    raise NoMeaningError(str(part))
+                others += more
             case "cnt":
                 times = whole(count(part))
             case "chain" | "play":
                 body = build.chain(part if part.name == "chain" else AList("chain", (part,)))
     build.finds += [graphlet for play in body.plays if (graphlet := _sought(play)) is not None]
     body = Chain(tuple(play for play in body.plays if _sought(play) is None))
-    return Loop(body, times, conditions.get("until"), conditions.get("whiling"))
+    made = Loop(body, times, conditions.get("until"), conditions.get("whiling"))
+    return _or_until(made, others)
+
+
+def _watched(build: Build, part: AList) -> list[Graphlet]:
+    """What is waited for: this or that."""
+    return [condition(build, conds) for conds in alternatives(part.first("conds"))]
+
+
+def _or_until(part: P, others: list[Graphlet]) -> P | Loop:
+    """It ends when any of these is so as well: one round, watched for each."""
+    made: P | Loop = part
+    for other in others:
+        made = Loop(Chain((Play((made,)),)), 1, until=other)
+    return made
 
 
 def whole(number: str) -> int:
@@ -135,10 +157,7 @@ def whole(number: str) -> int:
 
 def one_by_one(several: AList) -> AList:
     """ "Grab the box and the ball": the same done to each, one after another."""
-    things = several.all("np") or several.all("dest")
-    same = [part for part in several if part not in things]
-    acts = [AList("action", (same[0], thing, *same[1:])) for thing in things]
-    return AList("chain", tuple(AList("play", (act,)) for act in acts))
+    return AList("chain", tuple(AList("play", (act,)) for act in one_each(several)))
 
 
 def waited(delayed: AList) -> AList:

@@ -178,7 +178,7 @@ def _doing(build: Build, part: AList, agent: str, objects: list[AList], negated:
     if objects and build.telling and "telling" not in usages(verb) and is_abstract(objects[0]):
         raise NoMeaningError(str(part))
     if objects:
-        links["obj"] = build.thing(objects[0])
+        links["dest" if verb == "ask" else "obj"] = build.thing(objects[0])
     elif body.has("name"):
         links["obj"] = build.thing(body, person=False)
     if (dest := body.find("dest")) is not None:
@@ -191,7 +191,7 @@ def _doing(build: Build, part: AList, agent: str, objects: list[AList], negated:
     for time in times:
         _it_is(build, time)
     if going is not None and body is part and objects:
-        build.add("act", going.slot("gerund") or going.value or "", agt=links["obj"])
+        build.add("act", going.slot("gerund") or going.value or "", agt=links.get("obj", links.get("dest", "")))
     return act
 
 

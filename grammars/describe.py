@@ -37,7 +37,7 @@ def describe(parsed: Parsed) -> dict[str, Any]:
         "negated": any(term.negated for graphlet in _graphlets(meaning) for term in graphlet),
         "preference": content.preference if isinstance(content, Operator) else None,
         "belief": content.belief if isinstance(content, Rule) else None,
-        "trigger": _trigger(content) if isinstance(content, Operator) else [],
+        "trigger": _trigger(meaning) if isinstance(meaning, Teach) else [],
         "ask": meaning.ask if isinstance(meaning, Question) else None,
         "unknown_words": list(parsed.unknown_words),
         "alternatives": parsed.alternatives,
@@ -72,8 +72,9 @@ def _graphlets(meaning: Meaning) -> Iterator[Graphlet]:
             yield from (part for part in (instead_of, of) if part is not None)
         case Command(chain):
             yield from chain.graphlets()
-        case Teach(content=content):
-            yield from graphlets(content)
+        case Teach():
+            for content in meaning.contents:
+                yield from graphlets(content)
 
 
 def _words(meaning: Meaning) -> set[str]:
@@ -96,7 +97,8 @@ def _implied(parsed: Parsed) -> set[str]:
     return {"drive", "turn", "raise", "lift"} if bare else set()
 
 
-def _trigger(operator: Operator) -> list[str]:
-    """Lemmas of the trigger's main node."""
-    graphlet = operator.trigger.graphlet
-    return sorted(graphlet.head.lex) if graphlet is not None and graphlet.head is not None else []
+def _trigger(taught: Teach) -> list[str]:
+    """Lemmas of the triggers' main nodes."""
+    triggers = [x.trigger.graphlet for x in taught.contents if isinstance(x, Operator)]
+    heads = [graphlet.head for graphlet in triggers if graphlet is not None]
+    return sorted({word for head in heads if head is not None for word in head.lex})

@@ -9,13 +9,14 @@ from dataclasses import dataclass, field
 from typing import Any, Final
 
 from grammars.alist import AList
+from grammars.alternatives import alternatives, is_single, together
 from grammars.build import NoMeaningError
 from grammars.lattice import Lexer, Token, variants
 from grammars.nearest import near_words
 from grammars.normalise import Piece
 from grammars.ranking import Ranking, Tree, to_alist
 from grammars.registry import discover
-from kernel.memory.meaning import Meaning
+from kernel.memory.meaning import Meaning, Teach
 
 MOST_REPAIRED: Final = 4  # typos in one sentence
 MOST_REPAIRS: Final = 9  # ways to repair them that are tried
@@ -227,6 +228,10 @@ def _built(sentence: AList) -> tuple[str, Meaning] | None:
     body = next(part for part in sentence if part.name in forms)
     form = forms[body.name]
     try:
-        return form.kind, form.build(body)
+        if is_single(body) and not body.has("several"):
+            return form.kind, form.build(body)
+        meant = [form.build(one) for one in alternatives(body)]
     except NoMeaningError:
         return None
+    taught = [meaning for meaning in meant if isinstance(meaning, Teach)]
+    return (form.kind, together(taught)) if len(taught) == len(meant) else None

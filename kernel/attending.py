@@ -150,8 +150,9 @@ def _content(mind: Listener, commons: Commons, focus: Focus, heard: Heard) -> Ru
             return (yield from revising.obey(commons, focus, command))
         case Fact(fact, finds):
             return (yield from _fact(commons, focus, fact, finds))
-        case Teach(kind, content):
-            focus.lesson = _lesson(focus, kind, content)
+        case Teach(kind) as taught:
+            focus.lesson, *beside = (_lesson(focus, kind, each) for each in taught.contents)
+            focus.beside = tuple(beside)
             return (yield from frame.directive(Directive("ADD", LEARNING)))
         case Question() as question:
             asking = Asking(commons, focus, mind, question)

@@ -8,56 +8,77 @@ from dataclasses import replace
 from kernel.adapting import weigh
 from kernel.commons import Commons
 from kernel.memory.attention import Focus
+from kernel.memory.change import Change
 from kernel.memory.lesson import Lesson
 from kernel.memory.likeness import never_fires
 from kernel.memory.recent import PATIENCE_S, Doubt
-from kernel.memory.reply import KnownAlready, LessonDropped, Revised, Why
+from kernel.memory.reply import KnownAlready, LessonDropped, LessonTaken, Revised, Why
 from kernel.net.graphlet import Graphlet
 from kernel.net.match import matches
 from kernel.net.node import REMEMBERED
 
 Learning = Generator[None, None, bool]
+Taking = Generator[None, None, Change | None]
 
 
 def learn(commons: Commons, focus: Focus) -> Learning:
-    """Learn the focus's lesson, once it is durable; whether nothing went wrong.
-
-    The same lesson again is known already; where a newer one stands against it, it is the newer now. The same in
-    another strength takes the place of the old one. Where it contradicts another or can never come to anything, the
-    person is asked; without an answer both are kept, as the newer one wins ties.
-    """
+    """Learn the focus's lessons in one change, once that is durable; whether nothing went wrong."""
     lesson = focus.lesson
     if lesson is None:
         return False
     if isinstance(lesson.content, Graphlet):
         return (yield from _fact(commons, focus, lesson))
+    change = focus.changing()
+    revised: list[Lesson] = []
+    for each in (lesson, *focus.beside):
+        before = change.retracted
+        taken = yield from _taken(commons, focus, each, change)
+        if taken is None:
+            return False
+        change = taken
+        revised += [each] * (change.retracted != before)
+    if not change.learned:
+        return True
+    stored = yield from commons.commit(focus, change)
+    if stored and revised:
+        commons.replies += [
+            Revised(each) if each in revised else LessonTaken(each) for each in change.learned
+        ]
+    return stored
+
+
+def _taken(commons: Commons, focus: Focus, lesson: Lesson, change: Change) -> Taking:
+    """The change with the lesson in it, or without if it is known or dropped; None where it may not be learned.
+
+    The same lesson again is known already; where a newer one stands against it, it is the newer now. The same in
+    another strength takes the place of the old one. Where it contradicts another or can never come to anything, the
+    person is asked; without an answer both are kept, as the newer one wins ties.
+    """
     if (veto := commons.lifted(focus.by, lesson.content)) is not None:
         focus.failure = commons.not_yours(veto)
-        return False
-    change = replace(focus.changing(), learned=(lesson,))
+        return None
+    gone: tuple[int, ...] = ()
     old = next(iter(commons.shelves.alike(lesson.content)), None)
     if old is not None:
         rival = commons.shelves.contradicting(lesson.content)
         overtaken = rival is not None and rival.ident > old.ident
         if old.strength == lesson.strength and not overtaken:
             commons.replies.append(KnownAlready(old))
-            return True
-        change = replace(change, retracted=(old.ident,))
+            return change
+        gone = (old.ident,)
     elif (doubt := _doubt(commons, lesson)) is not None:
         why, other = doubt
         answer = yield from _answer(commons, focus, Doubt(lesson, why, other, focus.number))
         if answer == "cancel":
             commons.replies.append(LessonDropped(lesson))
-            return True
+            return change
         if answer == "replace" and other is not None:
             if not commons.may(focus.by, other):
                 focus.failure = commons.not_yours(other)
-                return False
-            change = replace(change, retracted=(other.ident,))
-    stored = yield from commons.commit(focus, change)
-    if stored and change.retracted:
-        commons.replies.append(Revised(lesson))
-    return stored
+                return None
+            gone = (other.ident,)
+    retracted = tuple(dict.fromkeys((*change.retracted, *gone)))
+    return replace(change, learned=(*change.learned, lesson), retracted=retracted)
 
 
 def _fact(commons: Commons, focus: Focus, lesson: Lesson) -> Learning:

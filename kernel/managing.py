@@ -211,8 +211,8 @@ def _inborn(commons: Commons, act: Graphlet) -> bool:
 
 def _told(commons: Commons, told: Teach | Fact, by: str) -> list[Lesson]:
     """Lessons in force that say the same, in whatever strength."""
-    content = told.content if isinstance(told, Teach) else whole(told)
-    return commons.shelves.alike(in_own_name(content, by))
+    contents = told.contents if isinstance(told, Teach) else (whole(told),)
+    return [x for content in contents for x in commons.shelves.alike(in_own_name(content, by))]
 
 
 def last_taught(commons: Commons) -> list[Lesson]:

@@ -39,8 +39,8 @@ def teach(file: Path, speaker: str, config_file: Path | None, *, dry_run: bool) 
             )
             return common.EXIT_NOT_UNDERSTOOD
         if dry_run:
-            for line, lesson in planned.new:
-                click.echo(f"{file}:{line.number}: {lesson.kind}: {line.text}")
+            for line, lessons in planned.new:
+                click.echo(f"{file}:{line.number}: {lessons[0].kind}: {line.text}")
             click.echo(
                 f"{len(planned.new)} new, {len(planned.known)} known already; nothing was taught"
             )

@@ -40,7 +40,7 @@ def compiled() -> str:
 def _block(sentence: str) -> str:
     parsed = parse(sentence)
     match parsed.meaning:
-        case Teach(kind, content):
+        case Teach(kind, content, ()):
             return f"# {kind}: {sentence}\n{write(content)}\n"
         case Fact(fact, ()):
             return f"# fact: {sentence}\n{write(fact)}\n"

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import Final
 
-from grammars.render import lessons, talk
+from grammars.render import lessons, operators, talk
 from grammars.render.deeds import VerbForm, deed
 from grammars.render.procedures import procedure
 from grammars.render.questions import claim, question
@@ -33,16 +33,14 @@ GIST_WORDS: Final = 6
 def render(meaning: Meaning | Content, voice: Voice) -> str:
     """The English sentence for a net: without a capital at its head or a full stop."""
     match meaning:
-        case Operator():
-            return lessons.operator(meaning, voice)
-        case Rule():
-            return lessons.rule(meaning, voice)
+        case Operator() | Rule():
+            return lessons.taught((meaning,), voice)
         case Graphlet():
             return lessons.fact(meaning, (), voice)
         case Fact(fact, finds):
             return lessons.fact(fact, finds, voice)
-        case Teach(_, content):
-            return render(content, voice)
+        case Teach():
+            return lessons.taught(meaning.contents, voice)
         case Command(chain):
             told = tuple(chain.graphlets())
             return procedure(Telling(told, (), voice), chain)
@@ -67,7 +65,7 @@ def gist(content: Content | Fact) -> str:
         main = content.trigger.graphlet
         told = main and content.trigger.tag != "NOTE"
         act = deed(Telling((main,), (), "robot"), main.main) if main and told else ""
-        shortened = [*lessons.shortened(content, act), *shortened, "I will remember that"]
+        shortened = [*operators.shortened(content, act), *shortened, "I will remember that"]
     elif isinstance(content, Rule):
         shortened = [*filter(None, [lessons.generic(content)]), *shortened]
     return next((s for s in shortened if len(s.split()) <= GIST_WORDS), "I will remember that")

@@ -158,8 +158,18 @@ def _kept_so(telling: Telling, graphlet: Graphlet, verb: str) -> str:
     return f"{verb} {kept} {quality(telling, term)}"
 
 
+def _or_until(loop: Loop) -> Part | None:
+    """What ends when this is so or that: one round of it, watched for another condition."""
+    inner = loop.body.plays[0].only if loop.times == 1 and len(loop.body.plays) == 1 else None
+    watched = isinstance(inner, Loop) and inner.until is not None
+    waiting = isinstance(inner, Directive) and inner.tag == "WAIT"
+    return inner if watched or waiting else None
+
+
 def _loop(telling: Telling, loop: Loop) -> str:
     """ "Repeat turn left then turn right 3 times"; one play alone needs no "repeat" before "until" and "while"."""
+    if loop.until is not None and (inner := _or_until(loop)) is not None:
+        return f"{_part(telling, inner, 'base', set())} or {conditions(telling, loop.until)}"
     if loop.each is not None:
         if loop.times is not None:
             telling.count(loop.each.main, loop.times)

@@ -75,7 +75,7 @@ class Focus:
         speech_act: the node NOTE[tell] is about.
         ended_s: when it was handled, None while active.
         failure: why it failed, or is failing.
-        reaction: the NOTE operator it followed first; lesson: what it is to learn.
+        reaction: the NOTE operator it followed first; lesson: what it is to learn; beside: what else with it.
         said: how often it has spoken.
         excuse: the reply that explains a failure; this focus notes that failure.
         progress: how far its command has come, None for what is no command.
@@ -98,6 +98,7 @@ class Focus:
     failure: Failure | None = None
     reaction: Lesson | None = None
     lesson: Lesson | None = None
+    beside: tuple[Lesson, ...] = ()
     said: int = 0
     excuse: Reply | None = None
     progress: Progress | None = None

@@ -27,10 +27,17 @@ class Fact:
 
 @dataclass(frozen=True, slots=True)
 class Teach:
-    """A rule or operator to be learned."""
+    """A rule or operator to be learned; others: those that the same sentence teaches, "or" tells so: of another thing,
+    on another condition."""
 
     kind: LessonKind
     content: Rule | Operator
+    others: tuple[Rule | Operator, ...] = ()
+
+    @property
+    def contents(self) -> tuple[Rule | Operator, ...]:
+        """All of them."""
+        return (self.content, *self.others)
 
 
 Ask = Literal["what", "where", "who", "howmany", "yesno", "why", "which", "how", "when"]

@@ -51,8 +51,8 @@ def write_meaning(meaning: Meaning) -> tuple[str, ...]:
         case Fact(fact, finds):
             looks = [Directive("FIND", find) for find in finds]
             return (write(sequence(*looks, Directive("NOTE", fact))),)
-        case Teach(_, content):
-            return (write(content),)
+        case Teach():
+            return tuple(sorted(map(write, meaning.contents)))
         case Question(ask, about, wanted, topic, chain):
             names = canonical_names([about])
             head = f"ASK {ask} {topic}".rstrip() + (f" {names[wanted]}" if wanted else "")

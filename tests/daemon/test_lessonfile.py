@@ -12,7 +12,7 @@ from hypothesis import strategies as st
 
 from daemon.lessonfile import Line, NotTextError, read_lines, written
 from daemon.lessons import Row, rows
-from daemon.teaching import Plan, changed, lesson_of, plan
+from daemon.teaching import Plan, changed, lessons_of, plan
 from grammars.errors import NotUnderstoodError
 from grammars.parse import parse
 from kernel.memory.change import Adapted, Change
@@ -50,7 +50,7 @@ def planned(text: str, table: Iterable[Row] = ()) -> Plan:
 
 
 def learned(made: Plan) -> Counter[tuple[str, str]]:
-    return policy(lesson for _, lesson in made.new)
+    return policy(lesson for _, lessons in made.new for lesson in lessons)
 
 
 def of(*sentences: str) -> list[Lesson]:
@@ -59,8 +59,7 @@ def of(*sentences: str) -> list[Lesson]:
 
 
 def as_lesson(meaning: Meaning, words: str = "") -> Lesson:
-    lesson = lesson_of(meaning, words)
-    assert lesson is not None
+    (lesson,) = lessons_of(meaning, words)
     return lesson
 
 
@@ -100,15 +99,14 @@ def test_any_lessons_are_learned_again(lessons: list[Lesson]) -> None:
 
 def listed_lessons() -> list[Lesson]:
     """Those of the sentences of tests/grammars that are stored."""
-    found = []
+    found: list[Lesson] = []
     for path in sorted(LISTS.glob("*.tsv")):
         for line in path.read_text(encoding="utf8").splitlines():
             try:
-                lesson = lesson_of(parse(line.split("\t")[1]).meaning, line.split("\t")[1])
+                lessons = lessons_of(parse(line.split("\t")[1]).meaning, line.split("\t")[1])
             except (NotUnderstoodError, IndexError):
                 continue
-            if lesson is not None and lasts(lesson):
-                found.append(lesson)
+            found += filter(lasts, lessons)
     return found
 
 
