@@ -191,7 +191,11 @@ def _doing(build: Build, part: AList, agent: str, objects: list[AList], negated:
     for time in times:
         _it_is(build, time)
     if going is not None and body is part and objects:
-        build.add("act", going.slot("gerund") or going.value or "", agt=links.get("obj", links.get("dest", "")))
+        build.add(
+            "act",
+            going.slot("gerund") or going.value or "",
+            agt=links.get("obj", links.get("dest", "")),
+        )
     return act
 
 
