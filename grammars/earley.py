@@ -19,8 +19,8 @@ from lark.parsers.earley_common import Item
 from lark.parsers.earley_forest import StableSymbolNode
 from lark.utils import OrderedSet
 
+from grammars.errors import BrokenOffError
 from grammars.lattice import Token
-from grammars.reading import BrokenOffError
 from grammars.source import digest, grammar_text, kept
 from grammars.vocabulary import set_phrases
 
@@ -212,7 +212,7 @@ def compile_grammar() -> dict[str, Any]:
     load: Any = importlib.import_module("lark.load_grammar").load_grammar  # slow, seldom needed
     text = grammar_text()
     compiled, _ = load(text, "toplevel.lark", [], False)
-    terminals, rules, _ = compiled.compile(["start", "expected"], "*")
+    terminals, rules, _ = compiled.compile(["start", "expected", "called_out"], "*")
     return {
         "source": digest(text),
         "literal": {t.pattern.value: t.name for t in terminals if t.pattern.type == "str"},

@@ -31,3 +31,11 @@ class NotUnderstoodError(Exception):
 
 class NoMeaningError(Exception):
     """A reading that the grammar allows and the net has no room for; the next reading is tried."""
+
+
+class BrokenOffError(Exception):
+    """The words have no derivation. at: how many of them could begin one."""
+
+    def __init__(self, at: int) -> None:
+        super().__init__(at)
+        self.at = at

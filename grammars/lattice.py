@@ -107,6 +107,11 @@ class Lexer:
         return Token(at, piece, readings, not strange)
 
 
+def guessed(piece: Piece) -> dict[str, str]:
+    """Whatever a word may be that nobody taught."""
+    return _strange(piece, guessing=True)
+
+
 def _strange(piece: Piece, guessing: bool) -> dict[str, str]:
     """What an unknown word may be: something new being named, a name if it has a capital; anything when guessing."""
     readings = {"STRANGE": piece.text}

@@ -24,6 +24,7 @@ BUILDERS: Final = frozenset(
 DANGLING: Final = frozenset(
     "the a an my your and or of if say tell when whenever unless until than because".split()
 )
+SPEECHES: Final = ("speech", "speaking")
 
 Leaf = tuple[str, Token]
 Charge = tuple[int, str]  # what it cost, and what for: a rule, or a word taken for something
@@ -40,10 +41,7 @@ class Tree:
     def leaves(self) -> Iterator[Leaf]:
         """Words in order, each with the terminal it was taken for."""
         for child in self.children:
-            if isinstance(child, Tree):
-                yield from child.leaves()
-            else:
-                yield child
+            yield from child.leaves() if isinstance(child, Tree) else (child,)
 
     def quotes(self) -> Iterator[list[Leaf]]:
         """Words of each quote that has no quotation marks."""
@@ -55,6 +53,21 @@ class Tree:
         for child in self.children:
             if isinstance(child, Tree):
                 yield from child.quotes()
+
+    def speeches(self) -> Iterator[tuple[list[str], list[Leaf]]]:
+        """Each quote without quotation marks that somebody is to speak: the words before it, from the verb on, and its
+        own."""
+        if self.rule.origin.name in SPEECHES:
+            before: list[str] = []
+            for child in self.children:
+                if isinstance(child, Tree) and (words := next(child.quotes(), None)):
+                    yield before, words
+                said = child.leaves() if isinstance(child, Tree) else (child,)
+                before += [token.piece.text for _, token in said]
+            return
+        for child in self.children:
+            if isinstance(child, Tree):
+                yield from child.speeches()
 
     def charges(self, cost: Mapping[int, int]) -> Iterator[Charge]:
         """What makes this derivation dear or cheap; their sum is its rank."""

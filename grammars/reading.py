@@ -10,10 +10,11 @@ from typing import Any, Final
 
 from grammars.alist import AList
 from grammars.alternatives import alternatives, is_single, together
-from grammars.build import NoMeaningError
+from grammars.errors import BrokenOffError, NoMeaningError
 from grammars.lattice import Lexer, Token, variants
 from grammars.nearest import near_words
 from grammars.normalise import Piece
+from grammars.quoting import holds
 from grammars.ranking import Ranking, Tree, to_alist
 from grammars.registry import discover
 from kernel.memory.meaning import Meaning, Teach
@@ -24,15 +25,6 @@ MOST_READ: Final = (
     40  # words of all attempts upon a sentence, before another way to repair it is tried
 )
 END: Final[frozenset[str]] = frozenset()  # categories of no word
-CONDITIONALS: Final = frozenset("if when whenever unless until while".split())
-
-
-class BrokenOffError(Exception):
-    """The words have no derivation. at: how many of them could begin one."""
-
-    def __init__(self, at: int) -> None:
-        super().__init__(at)
-        self.at = at
 
 
 @dataclass
@@ -157,7 +149,7 @@ class Reader:
         made = [
             (alist, tree, *meant)
             for tree in Ranking(self.cost, {}).best(forest)
-            if not self.swallows(tree)
+            if holds(tree, self.attempts.derive)
             if (meant := _built(alist := to_alist(tree, self.text))) is not None
         ]
         for alist, tree, kind, meaning in made[:1]:
@@ -173,23 +165,6 @@ class Reader:
                 others,
                 trees=tuple(tree for _, tree, *_ in made),
             )
-
-    def swallows(self, tree: Tree) -> bool:
-        """A quote without quotation marks runs on over a condition: "say hi unless Mary is near" says no such thing."""
-        return any(
-            token.piece.text in CONDITIONALS and self.is_condition([t for _, t in words[at:]])
-            for words in tree.quotes()
-            for at, (_, token) in enumerate(words[:-1], start=1)
-            if at > 1
-        )
-
-    def is_condition(self, tokens: Sequence[Token]) -> bool:
-        """The words are clauses."""
-        try:
-            self.attempts.derive(tokens, "conds")
-        except BrokenOffError:
-            return False
-        return True
 
     def corrected(
         self, found: list[Piece], places: Sequence[int], likely: bool

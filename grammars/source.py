@@ -46,7 +46,8 @@ def grammar_text() -> str:
     """The whole grammar."""
     names = sorted(discover())
     folder = files("grammars")
-    parts = [folder.joinpath(name).read_text("utf8") for name in ("toplevel.lark", "phrase.lark")]
+    shared = ("toplevel.lark", "phrase.lark", "called_out.lark")
+    parts = [folder.joinpath(name).read_text("utf8") for name in shared]
     parts += [folder.joinpath("forms", f"{name}.lark").read_text("utf8") for name in names]
     for symbol, expected in (("_form", False), ("_answer", True)):
         of_these = [name for name in names if discover()[name].expected is expected]

@@ -61,7 +61,8 @@ def _persons_own() -> frozenset[str]:
 
 
 @cache
-def _abstract() -> frozenset[str]:
+def abstract_words() -> frozenset[str]:
+    """What can be neither handled nor owned."""
     return frozenset(word for line in lines("abstract") for word in line.split())
 
 
@@ -74,7 +75,7 @@ def is_abstract(np: AList) -> bool:
     """It tells of nothing that could be handled or owned."""
     said = kind(np)
     ending = len(said) >= SHORTEST_ABSTRACT and said.endswith(ABSTRACT_ENDINGS)
-    return said in _abstract() or (ending and not BORN.knows(said))
+    return said in abstract_words() or (ending and not BORN.knows(said))
 
 
 def is_bare(np: AList) -> bool:

@@ -10,7 +10,8 @@ from grammars import parse as parsing
 from grammars.errors import NotUnderstoodError
 from grammars.lattice import Lexer, Token
 from grammars.normalise import pieces
-from grammars.reading import Attempts, BrokenOffError
+from grammars.errors import BrokenOffError
+from grammars.reading import Attempts
 from grammars.vocabulary import BORN
 
 

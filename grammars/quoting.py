@@ -1,0 +1,69 @@
+"""Quotes without quotation marks: where one ends, and whether it is said by people.
+
+What follows "say" is taken as it stands, whatever it is. What somebody is to shout, sing or whisper makes sense.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import replace
+from itertools import groupby
+from typing import Any, Final
+
+from grammars.errors import BrokenOffError
+from grammars.lattice import Token, guessed
+from grammars.ranking import Tree
+from grammars.source import set_categories
+from grammars.usage import abstract_words
+
+Derive = Callable[[Sequence[Token], str], Any]
+
+CONDITIONALS: Final = frozenset("if when whenever unless until while".split())
+# After these anything is a quote; "tell me", though, mostly asks for what the robot knows.
+LITERALLY: Final = frozenset("say saying tell telling ask asking".split())
+ASKING_FOR: Final = [["tell", "me"], ["telling", "me"], ["ask", "me"]]
+
+
+def holds(tree: Tree, derive: Derive) -> bool:
+    """Every quote in the derivation ends where it may, and makes sense where it has to."""
+    if any(_swallows([token for _, token in words], derive) for words in tree.quotes()):
+        return False
+    return all(
+        _makes_sense([token for _, token in words], derive)
+        for before, words in tree.speeches()
+        if before[0] not in LITERALLY or before[:2] in ASKING_FOR
+    )
+
+
+def _swallows(tokens: Sequence[Token], derive: Derive) -> bool:
+    """It runs on over a condition: "say hi unless Mary is near" says no such thing."""
+    return any(
+        token.piece.text in CONDITIONALS and _derives(tokens[at + 1 :], "conds", derive)
+        for at, token in enumerate(tokens[:-1])
+        if at > 0
+    )
+
+
+def _makes_sense(tokens: Sequence[Token], derive: Derive) -> bool:
+    """It is one word, or words that belong together; "row, row, row your boat" is "row your boat"."""
+    once = [_freely(next(same)) for _, same in groupby(tokens, key=lambda token: token.piece.text)]
+    return len(once) == 1 or _derives(once, "called_out", derive)
+
+
+def _freely(token: Token) -> Token:
+    """The word without the right to be just any word of a quote; a word that nobody taught may be anything."""
+    readings = {name: lemma for name, lemma in token.readings.items() if name != "ANYWORD"}
+    word = token.piece.text
+    if not token.known or readings.keys() <= set_categories():  # "hooray"
+        readings |= {**guessed(token.piece), "NOUN": word}
+    elif word in abstract_words():
+        readings["NOUN"] = word
+    return replace(token, readings=readings)
+
+
+def _derives(tokens: Sequence[Token], symbol: str, derive: Derive) -> bool:
+    try:
+        derive(tokens, symbol)
+    except BrokenOffError:
+        return False
+    return True
