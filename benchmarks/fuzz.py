@@ -23,10 +23,11 @@ from _timing import timed
 
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
 
-from grammars.earley import grammar
+from daemon.understanding import warm_up
 from grammars.errors import NotUnderstoodError
 from grammars.parse import parse
 from grammars.render import render
+from grammars.vocabulary import BORN
 from tests.grammars.salad import ENDLESS, SORTS
 
 MOST_MS = 200.0
@@ -81,7 +82,7 @@ def main() -> int:
     told.add_argument("--list", action="append", dest="kinds", help="kinds to print (command)")
     asked = told.parse_args()
     chance = random.Random(asked.seed)
-    grammar()
+    warm_up(BORN)
     found = {name: Found() for name in (*SORTS, "endless")}
     for at in range(asked.count):
         name = list(SORTS)[at % len(SORTS)]

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 
 from daemon.aside import Aside
 from daemon.loop import Cycle
-from daemon.understanding import Understanding, understand
+from daemon.understanding import Understanding, understand, warm_up
 from daemon.writer import Writer
 from kernel.memory.meaning import Utterance
 
@@ -64,7 +64,7 @@ class Intake:
 
     async def warm_up(self) -> None:
         """Compile the grammar before the first sentence comes; raises whatever is wrong with it."""
-        await self._parser.run(understand, Utterance("stop"), self._cycle.vocabulary)
+        await self._parser.run(warm_up, self._cycle.vocabulary)
 
     def close(self) -> None:
         """End the parser's thread; does not wait."""

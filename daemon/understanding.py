@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import gc
 import threading
 from dataclasses import dataclass, replace
 from typing import Final
@@ -103,6 +104,15 @@ def understand(
     readback = render(parsed.meaning, "teacher")
     heard = Heard(replace(utterance, text=parsed.text), parsed.meaning)
     return Understanding(utterance, parsed.kind, readback, heard, taught=parsed.taught)
+
+
+def warm_up(vocabulary: Vocabulary) -> None:
+    """Load what understanding and refusing need, once. What stays for good is left out of the collector's rounds: one
+    over all rules of the grammar takes longer than to refuse a sentence."""
+    for text in ("stop", "grab teh flibbit slolwy zork"):
+        understand(Utterance(text), vocabulary)
+    gc.collect()
+    gc.freeze()
 
 
 def forgetting(numbers: tuple[int, ...], speaker: str, at_s: float) -> Understanding:

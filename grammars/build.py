@@ -19,7 +19,7 @@ from grammars.chains import (
     waited,
     whole,
 )
-from grammars.clauses import put_nowhere, stated
+from grammars.clauses import flat, names, put_nowhere, stated
 from grammars.errors import NoMeaningError
 from grammars.mentions import (
     ASKING,
@@ -32,7 +32,7 @@ from grammars.mentions import (
     place_word,
 )
 from grammars.things import Things
-from grammars.usage import is_used
+from grammars.usage import is_used, kind
 from grammars.vocabulary import BORN
 from kernel.action.chain import Chain, Directive, Play
 from kernel.memory.editing import OTHER_WAY
@@ -243,7 +243,10 @@ class Build(Things):
     def inquiry(self, inquiry: AList) -> Directive:
         """CHK for whether something is so; FIND for what something is like, of what kind it is or where."""
         if (whether := inquiry.find("whether")) is not None:
-            return Directive("CHK", stated(self, whether.first("conds")))
+            conds = whether.first("conds")
+            if any(names(said) and kind(said.first("np")) for said in flat(conds)):
+                raise NoMeaningError(str(whether))  # "whether the gripper is Mary"
+            return Directive("CHK", stated(self, conds))
         if inquiry.has("nearby"):
             return Directive("DO", self.graphlet(self.add("act", "look around")))
         if (done := inquiry.find("what_done")) is not None:
@@ -252,10 +255,10 @@ class Build(Things):
             self.add("act", done.slot("does"), agt=self.aside(done.first("np")), obj=wanted)
             self.things.append(Thing(wanted, done.slot("attribute")))
             return Directive("FIND", self.graphlet(wanted))
-        for name, kind in WONDERS.items():
+        for name, sort in WONDERS.items():
             if (asked := inquiry.find(name)) is not None:
                 thing = self._asked_of(asked)
-                wanted = self.add(kind, **{kind: thing})
+                wanted = self.add(sort, **{sort: thing})
                 if attribute := asked.slot("attribute"):
                     self.add("ako", attribute, ako=wanted)
                 return Directive("FIND", self.graphlet(wanted))

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Final, TypeVar
 
 from grammars.alist import AList
 from grammars.alternatives import alternatives, one_each
-from grammars.clauses import clause, condition
+from grammars.clauses import clause, condition, names
 from grammars.errors import NoMeaningError
 from grammars.vocabulary import BORN, lines
 from kernel.action.chain import Chain, Directive, Loop, Part, Play
@@ -66,6 +66,8 @@ def plays(build: Build, play: AList) -> list[Play]:
                     raise NoMeaningError(str(part))
                 required.append(Directive("WAIT", condition(build, until)))
             case "ensuring":
+                if names(part.first("clause")):  # nobody is made to be Mary
+                    raise NoMeaningError(str(part))
                 required.append(Directive("ACH", _claim(build, part.first("clause"))))
             case "keeping":
                 beside.append(Directive("KEEP", _claim(build, part)))

@@ -8,7 +8,7 @@ from grammars.alist import AList
 from grammars.errors import NoMeaningError
 from grammars.hedges import preference
 from grammars.mentions import TIMES_OF_DAY, VERB_SLOTS, is_time
-from grammars.usage import is_abstract, is_kind_of_it, kind, usages
+from grammars.usage import WAYS, is_abstract, is_kind_of_it, kind, usages
 from kernel.action.chain import Directive
 from kernel.memory.contraries import EXCLUSIVE
 from kernel.memory.lesson import Operator
@@ -25,6 +25,12 @@ def flat(conds: AList) -> list[AList]:
     """The clauses of a list of conditions."""
     inner = [clause for part in conds.all("conds") for clause in flat(part)]
     return [*conds.all("clause"), *inner]
+
+
+def names(clause: AList) -> bool:
+    """It tells who somebody is."""
+    pred = clause.find("pred")
+    return pred is not None and pred.has("isname")
 
 
 def condition(build: Build, conds: AList) -> Graphlet:
@@ -88,6 +94,8 @@ def clause(build: Build, part: AList, subject: str = "", topical: bool = False) 
     if (owner := part.find("owner_of")) is not None:
         return build.owned(agent, owner, negated)
     if (qual := part.find("qual")) is not None:
+        if qual.slot("hq") in WAYS:  # "the light turns right"
+            raise NoMeaningError(str(part))
         return build.quality(agent, qual, negated)
     if (where := part.find("whereis")) is not None:
         return build.add("act", "ask", agt=agent, obj=build.whereabouts(where))
@@ -119,7 +127,7 @@ def _subject(build: Build, np: AList, part: AList) -> str:
         raise NoMeaningError(str(part))
     if np.slot("pron") == "it" and build.pattern and _tells_time(pred):
         return build.add("obj", ref="it")
-    if np.slot("pron") == "it" and pred is not None and pred.has("isname"):
+    if np.slot("pron") == "it" and names(part):
         return build.pronoun("they")
     return build.thing(np)
 

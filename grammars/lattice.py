@@ -4,10 +4,12 @@ set phrases, taught verbs of several words, stammering, the speaker's own correc
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cache
 from typing import Final
+from unicodedata import normalize
 
 from grammars.morphology import readings as inflected
 from grammars.nearest import english
@@ -28,6 +30,9 @@ MAY_ORDER: Final = [
 ]
 CALLING: Final = ("called", "named")
 NAMING: Final = [[verb, article] for verb in ("is", "'s") for article in ("a", "an")]
+
+# A word as people make it up: "flibbit", "x-ray", "café".
+PLAIN: Final = re.compile("[a-z]?(-?[a-z]{2,})+")
 
 # What no rule of the grammar asks for. (lark names the terminal of a word written out in a rule after the word.)
 NO_TERMINAL: Final = "-"
@@ -97,7 +102,7 @@ class Lexer:
         strange = self.strange(piece)
         if strange:
             readings |= _strange(piece, guessing)
-        if strange or readings.keys() & set(OPEN):
+        if readings.keys() & {"STRANGE", *OPEN}:
             readings["OPENWORD"] = piece.text
         if piece.text == "one":
             readings["NUM"] = "1"
@@ -107,13 +112,21 @@ class Lexer:
         return Token(at, piece, readings, not strange)
 
 
+def _unaccented(word: str) -> str:
+    """Its letters without their accents; a loose accent stays."""
+    return "".join(normalize("NFKD", letter)[0] for letter in word)
+
+
 def guessed(piece: Piece) -> dict[str, str]:
     """Whatever a word may be that nobody taught."""
     return _strange(piece, guessing=True)
 
 
 def _strange(piece: Piece, guessing: bool) -> dict[str, str]:
-    """What an unknown word may be: something new being named, a name if it has a capital; anything when guessing."""
+    """What an unknown word may be: something new being named, a name if it has a capital; anything when guessing.
+    Damaged letters are no word."""
+    if not (PLAIN.fullmatch(_unaccented(piece.text)) or (piece.capital and "'" in piece.text)):
+        return {}
     readings = {"STRANGE": piece.text}
     for reading in inflected(piece.text, "verb"):
         if reading.form == "gerund":

@@ -63,8 +63,8 @@ def _is_no_word(typed: str, meant: str) -> bool:
 
 
 def slip(typed: str, meant: str) -> int:
-    """The sort of a slip, the likeliest first."""
-    if sorted(typed) == sorted(meant):
+    """The sort of a slip, the likeliest first; a mark between letters is one."""
+    if sorted(re.sub("[-']", "", typed)) == sorted(meant):
         return 0
     if typed[0] != meant[0] or len(typed) < SHORTEST - 1:
         return OTHER_WORD

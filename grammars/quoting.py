@@ -21,6 +21,7 @@ Derive = Callable[[Sequence[Token], str], Any]
 CONDITIONALS: Final = frozenset("if when whenever unless until while".split())
 # After these anything is a quote; "tell me", though, mostly asks for what the robot knows.
 LITERALLY: Final = frozenset("say saying tell telling ask asking".split())
+RECITING: Final = frozenset("recite reciting".split())  # no single word
 ASKING_FOR: Final = [["tell", "me"], ["telling", "me"], ["ask", "me"]]
 
 
@@ -30,6 +31,7 @@ def holds(tree: Tree, derive: Derive) -> bool:
         return False
     return all(
         _makes_sense([token for _, token in words], derive)
+        and not (before[0] in RECITING and len(words) == 1)
         for before, words in tree.speeches()
         if before[0] not in LITERALLY or before[:2] in ASKING_FOR
     )
@@ -45,9 +47,9 @@ def _swallows(tokens: Sequence[Token], derive: Derive) -> bool:
 
 
 def _makes_sense(tokens: Sequence[Token], derive: Derive) -> bool:
-    """It is one word, or words that belong together; "row, row, row your boat" is "row your boat"."""
+    """The words belong together; "row, row, row your boat" is "row your boat"."""
     once = [_freely(next(same)) for _, same in groupby(tokens, key=lambda token: token.piece.text)]
-    return len(once) == 1 or _derives(once, "called_out", derive)
+    return _derives(once, "called_out", derive)
 
 
 def _freely(token: Token) -> Token:

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Final
 from grammars.alist import AList
 from grammars.errors import NoMeaningError
 from grammars.mentions import SELF, VERB_SLOTS, is_time
+from grammars.usage import is_kind_of_it
 
 if TYPE_CHECKING:
     from grammars.things import Things
@@ -15,13 +16,15 @@ if TYPE_CHECKING:
 LEADING: Final = ("into", "onto", "through", "past", "out of", "away from")
 
 
-def relative(build: Things, name: str, rel: AList) -> None:
+def relative(build: Things, name: str, np: AList, rel: AList) -> None:
     """Narrow a thing down: "that is not blue", "next to the wall", "on the left", "called Pookie"."""
     if (loc := rel.find("loc")) is not None and is_time(loc):
         raise NoMeaningError(str(rel))  # "noise at night" is no sort of noise
     if rel.has("name"):
         build.sketch.change(name, lex=frozenset({rel.slot("name")}))
     elif (pred := rel.find("pred")) is not None:
+        if (kindof := pred.find("kindof")) is not None and not is_kind_of_it(np, kindof):
+            raise NoMeaningError(str(rel))
         build.predicate(name, pred, rel.has("neg"))
     elif (made := rel.find("made_of")) is not None:
         build.quality(name, made)

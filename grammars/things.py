@@ -188,7 +188,7 @@ class Things:
                 self.quality(name, qual)
             self.possessed(name, np)
             for rel in np.all("rel"):
-                relative(self, name, rel)
+                relative(self, name, np, rel)
             if number := np.slot("num"):
                 self.add("cnt", literal=number, cnt=name)
         self._mention(Thing(name, kind, person, called))
@@ -258,7 +258,9 @@ class Things:
         if (called := pred.find("isname")) is not None:
             if self.sketch.terms[name].lex & {"you", "me"}:  # "if you are idle"
                 return self.add("hq", called.slot("name"), hq=name, negated=negated)
-            if negated:  # it would be told that it is
+            if (
+                negated or self.sketch.terms[name].lex
+            ):  # it would be told that it is; "Mary is Mary"
                 raise NoMeaningError(str(pred))
             self.sketch.change(name, lex=frozenset((called.slot("name"),)))
             return self.put(name)

@@ -13,7 +13,9 @@ from typing import Final
 from grammars.alist import AList
 from grammars.vocabulary import BORN, lines
 
-WAYS: Final = frozenset("left right forward backward clockwise counterclockwise sideways".split())
+WAYS: Final = frozenset(
+    "left right forward backward clockwise counterclockwise sideways straight".split()
+)
 OPPOSITE: Final = (
     {"left", "right"},
     {"forward", "backward"},
@@ -37,13 +39,17 @@ ABSTRACT_ENDINGS: Final = ("ness", "ity", "tude", "hood", "ism")
 SHORTEST_ABSTRACT: Final = 7  # letters; a city is none
 SEVERAL: Final = ("these", "those")
 ONE: Final = ("a", "an", "another", "this", "that")
+# Nothing is done to them under these names: "stop you", "grab he".
+SUBJECTS: Final = ("you", "i", "he", "she", "they")
 DETERMINED: Final = ("det", "own", "owner", "pron", "pronoun", "vague", "name")
 
 
 @cache
 def usages(verb: str) -> frozenset[str]:
-    """Classes of the verb."""
-    return frozenset(name for name, verbs in _classes().items() if verb in verbs)
+    """Classes of the verb; what is picked up in no direction is not picked in one, either."""
+    head, _, particle = verb.partition(" ")
+    classes = ("still",) if particle else _classes()
+    return frozenset(name for name in classes if head in _classes()[name])
 
 
 @cache
@@ -78,6 +84,10 @@ def is_abstract(np: AList) -> bool:
     return said in abstract_words() or (ending and not BORN.knows(said))
 
 
+def _is_text(np: AList) -> bool:
+    return kind(np) in _classes()["texts"]
+
+
 def is_bare(np: AList) -> bool:
     """It has no article, or what would stand for one."""
     return not any(np.has(part) for part in DETERMINED)
@@ -86,6 +96,8 @@ def is_bare(np: AList) -> bool:
 def agrees(np: AList) -> bool:
     """ "A blocks" and "those block" are said by nobody."""
     det = np.slot("det")
+    if np.slot("sub") and np.slot("sub") == kind(np):  # "a block block"
+        return False
     return not (det in ONE and np.has("akos")) and not (det in SEVERAL and np.has("ako"))
 
 
@@ -107,9 +119,14 @@ def is_used(action: AList, verb: str, pattern: bool) -> bool:
     """
     uses, obj = usages(verb), action.find("np")
     dirs = [part.value or "" for part in action.all("dir")]
+    dirs += (manner.slot("adv") for manner in action.all("manner") if manner.slot("adv") in WAYS)
     if "alone" in uses and action.has("every"):
         return False
     if obj is not None and not _takes(action, obj, uses, pattern):
+        return False
+    if not pattern and (_lacks(action, obj, uses) or _goes_to_itself(action, obj, uses)):
+        return False
+    if "whole" in uses and (action.has("size") or action.has("amt")):
         return False
     if any({one, other} in OPPOSITE or one == other for one in dirs for other in _after(dirs, one)):
         return False
@@ -124,6 +141,30 @@ def is_used(action: AList, verb: str, pattern: bool) -> bool:
     return pattern or all(map(_is_short, bare))
 
 
+def _lacks(action: AList, obj: AList | None, uses: frozenset[str]) -> bool:
+    """Nobody is told to "make", or to "make it" and no more."""
+    said = obj is not None or action.has("every")
+    making = obj is not None and (
+        obj.has("pron") or any(m.has("faster") for m in action.all("manner"))
+    )
+    return ("needing" in uses and not said) or ("making" in uses and making)
+
+
+def _goes_to_itself(action: AList, obj: AList | None, uses: frozenset[str]) -> bool:
+    """ "Go on in front of you": the robot is no place to go to; nor is what it stands on already: "go on it"."""
+    place = action.find("place")
+    if (
+        place is None
+        or obj is not None
+        or uses.isdisjoint(("alone", "steering"))
+        or "looking" in uses
+    ):
+        return False
+    loc = place.first("loc")
+    marks = [np.slot("pron") for np in loc.all("np")]
+    return "you" in marks or (loc.slot("prep") == "on" and "it" in marks)
+
+
 def _after(said: list[str], one: str) -> list[str]:
     return said[said.index(one) + 1 :]
 
@@ -136,6 +177,10 @@ def _takes(action: AList, obj: AList, uses: frozenset[str], pattern: bool) -> bo
     if "alone" in uses and (bare or named or PATHS.isdisjoint(before)):
         return False
     if "telling" not in uses and is_abstract(obj):
+        return False
+    if "reciting" in uses and BORN.knows(kind(obj)) and not (is_abstract(obj) or _is_text(obj)):
+        return False
+    if not pattern and obj.slot("pron") in SUBJECTS:
         return False
     if action.slot("act") in BACKING and kind(obj) not in _classes()["backing"] | {""}:
         return False

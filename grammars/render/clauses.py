@@ -194,6 +194,8 @@ def naming(telling: Telling, term: Term) -> Clause:
     rest = ("not " if term.negated else "") + called + proper(word(term))
     if subject == "it":  # "it is Rover" would be somebody speaking
         subject = "its name"
+    if subject == proper(word(term)):
+        subject = "something"
     return Clause(subject, be(subject), f"{be(subject)} {rest}", rest)
 
 

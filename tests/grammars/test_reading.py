@@ -7,10 +7,9 @@ from collections.abc import Sequence
 import pytest
 
 from grammars import parse as parsing
-from grammars.errors import NotUnderstoodError
+from grammars.errors import BrokenOffError, NotUnderstoodError
 from grammars.lattice import Lexer, Token
 from grammars.normalise import pieces
-from grammars.errors import BrokenOffError
 from grammars.reading import Attempts
 from grammars.vocabulary import BORN
 
