@@ -23,6 +23,7 @@ from grammars.render.things import (
 from grammars.vocabulary import BORN
 from kernel.net.graphlet import Graphlet, Term
 
+POINTING: Final = ("this", "that")
 _ABSOLUTE: Final = {"my": "mine", "your": "yours", "her": "hers", "their": "theirs"}
 
 
@@ -195,7 +196,7 @@ def naming(telling: Telling, term: Term) -> Clause:
     if subject == "it":  # "it is Rover" would be somebody speaking
         subject = "its name"
     if subject == proper(word(term)):
-        subject = "something"
+        subject = term.ref if term.ref in POINTING else "something"
     return Clause(subject, be(subject), f"{be(subject)} {rest}", rest)
 
 
