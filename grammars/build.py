@@ -7,6 +7,7 @@ from typing import Final
 
 from grammars.alist import AList
 from grammars.chains import (
+    TURNING,
     bare_chain,
     count,
     in_a_while,
@@ -154,6 +155,8 @@ class Build(Things):
                 raise NoMeaningError(str(action))
             elif part.name == "the_other_way":
                 self.add("dir", OTHER_WAY, dir=act)
+            elif part.name == "turns" and self.sketch.terms[act].lex.isdisjoint(TURNING):
+                self.add("cnt", literal=f"{whole(part.slot('num'))}", cnt=act)  # "do two jumps"
             elif part.name == "turns":
                 self.add("amt", "degree", literal=f"{turns(part) * 360:g}", amt=act)
             elif part.name == "paces":

@@ -19,6 +19,7 @@ if TYPE_CHECKING:
 
 P = TypeVar("P", Directive, Loop)
 TURNS: Final = frozenset(("left", "right", "clockwise", "counterclockwise", "around"))
+TURNING: Final = frozenset("turn rotate spin swivel pivot twirl circle twist revolve roll".split())
 TIMES: Final = frozenset(("second", "minute", "hour"))
 FRACTIONS: Final = {"quarter": 0.25, "half": 0.5}
 LIFTS: Final = {"up": "raise", "down": "lower"}

@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING, Final
 from grammars.alist import AList
 from grammars.errors import NoMeaningError
 from grammars.hedges import preference
-from grammars.mentions import TIMES_OF_DAY, VERB_SLOTS, is_time
-from grammars.usage import WAYS, is_abstract, is_kind_of_it, kind, usages
+from grammars.mentions import VERB_SLOTS, is_time
+from grammars.usage import TIMES_OF_DAY, WAYS, is_abstract, is_kind_of_it, kind, usages
 from kernel.action.chain import Directive
 from kernel.memory.contraries import EXCLUSIVE
 from kernel.memory.lesson import Operator

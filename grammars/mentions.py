@@ -7,14 +7,13 @@ from typing import Final
 
 from grammars.alist import AList
 from grammars.morphology import gerund
-from grammars.usage import is_abstract, is_bare
+from grammars.usage import TIMES_OF_DAY, is_abstract, is_bare
 from grammars.vocabulary import BORN
 
 SELF: Final = {"you": "you", "yourself": "you", "me": "me", "i": "me", "mine": "me", "yours": "you"}
 SELF_OWN: Final = {"my": "me", "your": "you"}
 OWNING: Final = {"his": "he", "her": "she", "its": "it", "their": "they", "our": "we"}
 ALIKE: Final = {"him": "he", "her": "she", "them": "they", "these": "this", "those": "that"}
-TIMES_OF_DAY: Final = frozenset("noon midnight night morning evening afternoon dawn dusk".split())
 ASKING: Final = frozenset(
     "who what where when why how which whose may can could will would shall should is are do does did".split()
 )

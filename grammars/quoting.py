@@ -12,7 +12,7 @@ from typing import Any, Final
 
 from grammars.errors import BrokenOffError
 from grammars.lattice import Token, guessed
-from grammars.ranking import Tree
+from grammars.ranking import Leaf, Tree
 from grammars.source import set_categories
 from grammars.usage import abstract_words
 
@@ -21,7 +21,7 @@ Derive = Callable[[Sequence[Token], str], Any]
 CONDITIONALS: Final = frozenset("if when whenever unless until while".split())
 # After these anything is a quote; "tell me", though, mostly asks for what the robot knows.
 LITERALLY: Final = frozenset("say saying tell telling ask asking".split())
-RECITING: Final = frozenset("recite reciting".split())  # no single word
+RECITING: Final = frozenset("recite reciting".split())
 ASKING_FOR: Final = [["tell", "me"], ["telling", "me"], ["ask", "me"]]
 
 
@@ -31,10 +31,16 @@ def holds(tree: Tree, derive: Derive) -> bool:
         return False
     return all(
         _makes_sense([token for _, token in words], derive)
-        and not (before[0] in RECITING and len(words) == 1)
+        and not (len(words) == 1 and _is_too_short(before, words[0]))
         for before, words in tree.speeches()
         if before[0] not in LITERALLY or before[:2] in ASKING_FOR
     )
+
+
+def _is_too_short(before: Sequence[str], word: Leaf) -> bool:
+    """Nothing is recited in one word, and nobody wants to be told "red"; a greeting is told in one."""
+    greets = word[1].readings.keys() & set_categories()
+    return before[0] in RECITING or (before[:2] in ASKING_FOR and not greets)
 
 
 def _swallows(tokens: Sequence[Token], derive: Derive) -> bool:

@@ -25,6 +25,8 @@ def relative(build: Things, name: str, np: AList, rel: AList) -> None:
     elif (pred := rel.find("pred")) is not None:
         if (kindof := pred.find("kindof")) is not None and not is_kind_of_it(np, kindof):
             raise NoMeaningError(str(rel))
+        if pred.has("isname"):
+            raise NoMeaningError(str(rel))  # "the block that is Janey"
         build.predicate(name, pred, rel.has("neg"))
     elif (made := rel.find("made_of")) is not None:
         build.quality(name, made)

@@ -39,6 +39,8 @@ ABSTRACT_ENDINGS: Final = ("ness", "ity", "tude", "hood", "ism")
 SHORTEST_ABSTRACT: Final = 7  # letters; a city is none
 SEVERAL: Final = ("these", "those")
 ONE: Final = ("a", "an", "another", "this", "that")
+TIMES_OF_DAY: Final = frozenset("noon midnight night morning evening afternoon dawn dusk".split())
+HERE: Final = frozenset(("here", "there"))
 # Nothing is done to them under these names: "stop you", "grab he".
 SUBJECTS: Final = ("you", "i", "he", "she", "they")
 DETERMINED: Final = ("det", "own", "owner", "pron", "pronoun", "vague", "name")
@@ -132,7 +134,7 @@ def is_used(action: AList, verb: str, pattern: bool) -> bool:
         return False
     if any(len(action.all(part)) > 1 for part in ONCE):
         return False
-    if ("still" in uses and not WAYS.isdisjoint(dirs)) or ("nowhere" in uses and dirs):
+    if ("still" in uses and not WAYS.isdisjoint(dirs)) or ("nowhere" in uses and not HERE.issuperset(dirs)):
         return False
     beside = [action.find("iobj"), action.find("dest"), action.find("place")]
     bare = [np for part in beside if part is not None for np in part.walk() if np.name == "np"]
@@ -142,27 +144,27 @@ def is_used(action: AList, verb: str, pattern: bool) -> bool:
 
 
 def _lacks(action: AList, obj: AList | None, uses: frozenset[str]) -> bool:
-    """Nobody is told to "make", or to "make it" and no more."""
+    """Nobody is told to "make", or to "make it" and no more, or to "grab behind the chair"."""
     said = obj is not None or action.has("every")
     making = obj is not None and (
         obj.has("pron") or any(m.has("faster") for m in action.all("manner"))
     )
-    return ("needing" in uses and not said) or ("making" in uses and making)
+    lacking = "needing" in uses or ("taking" in uses and action.has("place"))
+    return (lacking and not said) or ("making" in uses and making)
 
 
 def _goes_to_itself(action: AList, obj: AList | None, uses: frozenset[str]) -> bool:
     """ "Go on in front of you": the robot is no place to go to; nor is what it stands on already: "go on it"."""
-    place = action.find("place")
-    if (
-        place is None
-        or obj is not None
-        or uses.isdisjoint(("alone", "steering"))
-        or "looking" in uses
-    ):
+    if obj is not None or uses.isdisjoint(("alone", "steering")) or "looking" in uses:
         return False
-    loc = place.first("loc")
-    marks = [np.slot("pron") for np in loc.all("np")]
-    return "you" in marks or (loc.slot("prep") == "on" and "it" in marks)
+    place, dest = action.find("place"), action.find("dest")
+    marks = [] if dest is None else [np.slot("pron") for np in dest.all("np")]
+    if place is not None:
+        loc = place.first("loc")
+        marks += (np.slot("pron") for np in loc.all("np"))
+        if loc.slot("prep") == "on" and "it" in marks:
+            return True
+    return not {"you", "yourself"}.isdisjoint(marks)
 
 
 def _after(said: list[str], one: str) -> list[str]:
@@ -178,9 +180,10 @@ def _takes(action: AList, obj: AList, uses: frozenset[str], pattern: bool) -> bo
         return False
     if "telling" not in uses and is_abstract(obj):
         return False
-    if "reciting" in uses and BORN.knows(kind(obj)) and not (is_abstract(obj) or _is_text(obj)):
+    known = named or BORN.knows(kind(obj))
+    if "reciting" in uses and known and not (is_abstract(obj) or _is_text(obj)):
         return False
-    if not pattern and obj.slot("pron") in SUBJECTS:
+    if not pattern and (obj.slot("pron") in SUBJECTS or kind(obj) in TIMES_OF_DAY):
         return False
     if action.slot("act") in BACKING and kind(obj) not in _classes()["backing"] | {""}:
         return False
