@@ -31,6 +31,7 @@ from grammars.mentions import (
     is_person,
     is_time,
     place_word,
+    somebody,
 )
 from grammars.things import Things
 from grammars.usage import is_used, kind
@@ -77,7 +78,7 @@ class Build(Things):
             raise NoMeaningError("a thing in a place that is put nowhere")
         if action.slot("dir") == "for" and self._particle != "for":
             raise NoMeaningError(str(action))
-        if is_odd(verb, action) or not is_used(action, verb, self.pattern):
+        if is_odd(action) or not is_used(action, verb, self.pattern):
             raise NoMeaningError(str(action))
         links: dict[str, str] = {}
         if (every := action.find("every")) is not None and (every.parts or verb not in LETTING_GO):
@@ -250,6 +251,8 @@ class Build(Things):
             if any(names(said) and kind(said.first("np")) for said in flat(conds)):
                 raise NoMeaningError(str(whether))  # "whether the gripper is Mary"
             return Directive("CHK", stated(self, conds))
+        if (asked := inquiry.find("who_where")) is not None:
+            return Directive("FIND", self.graphlet(self.thing(somebody(asked.first("loc")))))
         if inquiry.has("nearby"):
             return Directive("DO", self.graphlet(self.add("act", "look around")))
         if (done := inquiry.find("what_done")) is not None:

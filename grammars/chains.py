@@ -9,6 +9,7 @@ from grammars.alist import AList
 from grammars.alternatives import alternatives, one_each
 from grammars.clauses import clause, condition, names
 from grammars.errors import NoMeaningError
+from grammars.mentions import somebody
 from grammars.vocabulary import BORN, lines
 from kernel.action.chain import Chain, Directive, Loop, Part, Play
 from kernel.net.graphlet import Graphlet, Term
@@ -36,7 +37,7 @@ def particles() -> dict[str, tuple[str, str]]:
     return table
 
 
-def is_odd(verb: str, action: AList) -> bool:
+def is_odd(action: AList) -> bool:
     """ "Look on the bed" looks there and has no bed to "look on"; "turn left in ten seconds" turns no way "in"."""
     ways = [way.value or "" for way in action.all("dir")]
     amt = action.find("amt")
@@ -44,7 +45,7 @@ def is_odd(verb: str, action: AList) -> bool:
         return True
     of_place = [way for way in ways if "PREP" in BORN.readings(way)]
     before_thing = [part.name for part in action][1:3] == ["dir", "np"]
-    return before_thing and bool(of_place) and f"{verb} {ways[0]}" not in particles()
+    return before_thing and bool(of_place) and f"{action.slot('act')} {ways[0]}" not in particles()
 
 
 def plays(build: Build, play: AList) -> list[Play]:
@@ -56,6 +57,10 @@ def plays(build: Build, play: AList) -> list[Play]:
             case "action" | "acting":
                 with build.drawing(pattern=False):
                     required.append(Directive("DO", build.graphlet(build.action(part))))
+            case "inquiry" if (asked := part.find("who_where")) is not None:
+                found = AList("action", (AList("act", value="find"), somebody(asked.first("loc"))))
+                with build.drawing(pattern=False):
+                    required.append(Directive("DO", build.graphlet(build.action(found))))
             case "inquiry":
                 required.append(build.inquired(part))
             case "loop":

@@ -8,7 +8,7 @@ from grammars.alist import AList
 from grammars.errors import NoMeaningError
 from grammars.hedges import preference
 from grammars.mentions import VERB_SLOTS, is_time
-from grammars.usage import TIMES_OF_DAY, WAYS, is_abstract, is_kind_of_it, kind, usages
+from grammars.usage import AMBIENT, TIMES_OF_DAY, WAYS, is_abstract, is_kind_of_it, kind, usages
 from kernel.action.chain import Directive
 from kernel.memory.contraries import EXCLUSIVE
 from kernel.memory.lesson import Operator
@@ -18,6 +18,7 @@ if TYPE_CHECKING:
     from grammars.build import Build
 
 PAIRS: Final = tuple(group for group in EXCLUSIVE if len(group) == 2)
+TOOLS: Final = ("drill", "ropes", "score")
 PUTTING: Final = ("put", "place", "lay", "set", "stack", "put down", "set down", "lay down")
 
 
@@ -135,7 +136,7 @@ def _subject(build: Build, np: AList, part: AList) -> str:
 def _tells_time(pred: AList | None) -> bool:
     """ "It is night": of nothing in particular."""
     qual = None if pred is None else pred.find("qual")
-    return qual is not None and (qual.value or qual.slot("hq")) in TIMES_OF_DAY
+    return qual is not None and (qual.value or qual.slot("hq")) in TIMES_OF_DAY | AMBIENT
 
 
 def _exists(build: Build, exists: AList) -> str:
@@ -181,7 +182,7 @@ def _doing(build: Build, part: AList, agent: str, objects: list[AList], negated:
     if put_nowhere(verb, body, objects[0] if objects else None):
         raise NoMeaningError(str(part))
     links: dict[str, str] = {"agt": agent}
-    if objects and ("alone" in usages(verb) or (verb == "know" and objects[0].has("pron"))):
+    if objects and ("alone" in usages(verb) or (verb == "know" and not _is_knowable(objects[0]))):
         raise NoMeaningError(str(part))
     if objects and build.telling and "telling" not in usages(verb) and is_abstract(objects[0]):
         raise NoMeaningError(str(part))
@@ -205,6 +206,12 @@ def _doing(build: Build, part: AList, agent: str, objects: list[AList], negated:
             agt=links.get("obj", links.get("dest", "")),
         )
     return act
+
+
+def _is_knowable(np: AList) -> bool:
+    """People, animals and the like may be known, and what is no thing at all: nobody "knows the drill"."""
+    tool = kind(np) in TOOLS and np.slot("det") == "the"
+    return not (tool or np.has("pron"))
 
 
 def put_nowhere(verb: str, said: AList, thing: AList | None) -> bool:

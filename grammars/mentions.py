@@ -116,6 +116,11 @@ def is_time(loc: AList) -> bool:
     return loc.has("np") and loc.first("np").slot("ako") in TIMES_OF_DAY
 
 
+def somebody(where: AList) -> AList:
+    """The noun phrase for who is at a place."""
+    return AList("np", (AList("vague", value="somebody"), AList("rel", (where,))))
+
+
 def is_definite(np: AList) -> bool:
     """The noun phrase is about something in particular."""
     return np.slot("det") in REFS or any(np.has(part) for part in ("name", "own", "owner"))

@@ -28,7 +28,7 @@ OPPOSITE: Final = (
 PATHS: Final = frozenset("up down in out over around through along".split())
 BACKING: Final = ("back", "reverse")
 # Said alone they move nothing: "in", "here".
-NO_WAY: Final = frozenset("in on off out over here there inside outside".split())
+NO_WAY: Final = frozenset("in on off out over here there inside outside indoors outdoors".split())
 # Qualities that stand behind a thing only, unless it has an article ("press the on button").
 BEHIND: Final = frozenset(
     "up down on off here there gone home away asleep awake alone alive afraid near".split()
@@ -40,6 +40,8 @@ SHORTEST_ABSTRACT: Final = 7  # letters; a city is none
 SEVERAL: Final = ("these", "those")
 ONE: Final = ("a", "an", "another", "this", "that")
 TIMES_OF_DAY: Final = frozenset("noon midnight night morning evening afternoon dawn dusk".split())
+# "It is late": of nothing in particular.
+AMBIENT: Final = frozenset("late early dark sunny cloudy windy foggy".split())
 HERE: Final = frozenset(("here", "there"))
 # Nothing is done to them under these names: "stop you", "grab he".
 SUBJECTS: Final = ("you", "i", "he", "she", "they")
@@ -134,7 +136,9 @@ def is_used(action: AList, verb: str, pattern: bool) -> bool:
         return False
     if any(len(action.all(part)) > 1 for part in ONCE):
         return False
-    if ("still" in uses and not WAYS.isdisjoint(dirs)) or ("nowhere" in uses and not HERE.issuperset(dirs)):
+    if ("still" in uses and not WAYS.isdisjoint(dirs)) or (
+        "nowhere" in uses and not HERE.issuperset(dirs)
+    ):
         return False
     beside = [action.find("iobj"), action.find("dest"), action.find("place")]
     bare = [np for part in beside if part is not None for np in part.walk() if np.name == "np"]
@@ -187,6 +191,8 @@ def _takes(action: AList, obj: AList, uses: frozenset[str], pattern: bool) -> bo
         return False
     if action.slot("act") in BACKING and kind(obj) not in _classes()["backing"] | {""}:
         return False
+    if bare and _qualities(obj) & BEHIND:  # "never pick up pins" is about no "up pins"
+        return False
     if obj.slot("own") == "your" and kind(obj) in _persons_own():
         return False
     if not WAYS.isdisjoint(before) and (bare or named or obj.has("pron") or "steering" in uses):
@@ -201,10 +207,15 @@ def _is_short(np: AList, told: bool = False) -> bool:
     if not is_bare(np):
         return True
     quals = np.all("qual")
-    words = {qual.value or qual.slot("hq") for qual in quals}
-    if len(quals) > MOST_QUALITIES or any(qual.has("more") for qual in quals) or words & BEHIND:
+    if len(quals) > MOST_QUALITIES or any(qual.has("more") for qual in quals):
+        return False
+    if _qualities(np) & BEHIND:
         return False
     return told or not (np.has("ako") and is_abstract(np))
+
+
+def _qualities(np: AList) -> set[str]:
+    return {qual.value or qual.slot("hq") for qual in np.all("qual")}
 
 
 def is_way(bare: AList) -> bool:

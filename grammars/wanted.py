@@ -194,6 +194,9 @@ def adverbial(build: Build, body: AList) -> Question:
     """ "Where did you put the cup", "when will you be done", "how long did Tom wait"."""
     wh, asks = body.first("wh_adv"), body.first("asks")
     word = wh.slot("wh_when")
+    opinion = asks.slot("modal_q") == "would"
+    if opinion and any(part.name == "speech" and part.has("quote") for part in asks.walk()):
+        raise NoMeaningError(str(body))  # "how long would you say you've had it"
     so = drawn(build, asks)
     act = bool(so.inner)
     if word == "where":

