@@ -8,6 +8,7 @@ from grammars.alist import AList
 from grammars.build import Build, NoMeaningError
 from grammars.registry import sentence_form
 from grammars.usage import is_bare
+from grammars.verdicts import is_praise
 from kernel.action.chain import Chain, Directive, Play, sequence
 from kernel.memory.editing import OTHER_WAY
 from kernel.memory.meaning import Beside, Revision
@@ -62,8 +63,10 @@ def revision(alist: AList) -> Revision:
         return _words(build, alist, of)
     if (keeping := alist.find("keeping")) is not None:
         return Revision(build.chain(_alone(keeping)))
-    altered, beside = alist.find("altered"), alist.find("beside")
+    altered, beside = alist.find("altered"), alist.find("ahead_of", "behind", "amid")
     if altered is not None:
+        if (was := alist.find("was")) is not None and was.find("qual", "owner") is not None:
+            raise NoMeaningError("another sort of part")
         return Revision(_altered(build, altered))
     replaced = _replaced(build, alist if beside is None else beside)
     chain = _new_steps(alist)
@@ -73,7 +76,7 @@ def revision(alist: AList) -> Revision:
         steps = Chain(())
     else:
         replaced, steps = _things(build, alist)
-    where: Beside = "" if beside is None else "after" if beside.has("behind") else "before"
+    where: Beside = "" if beside is None else "after" if beside.name == "behind" else "before"
     if alist.has("at_start") and of is None:
         with build.drawing(pattern=True):
             replaced, where = _at(build, "first"), "before"
@@ -88,13 +91,19 @@ def _alone(part: AList) -> AList:
 
 def _new_steps(alist: AList) -> AList | None:
     """What is to be done: in so many words, or as what should have been, or by its name: "a turn"."""
-    if (chain := alist.find("chain")) is not None:
-        if alist.has("plain_no") and _is_bare(chain):
+    if (chain := (alist.find("replacing") or alist).find("chain")) is not None:
+        bare = alist.has("plain_no") and _is_bare(chain)
+        if bare or (_is_judged(alist) and not alist.has("later") and is_praise(alist)):
             raise NoMeaningError(str(alist))
         return chain
     if (named := alist.find("did_it", "replacing", "adding")) is not None:
         return _alone(AList("action", (named.find("action") or named).parts))
     return None
+
+
+def _is_judged(alist: AList) -> bool:
+    """It begins with a verdict, "too fast, slow down", which praise of what was done does not."""
+    return alist.find("verdict", "praise", "blame") is not None
 
 
 def _is_bare(chain: AList) -> bool:
@@ -107,11 +116,8 @@ def _is_bare(chain: AList) -> bool:
 
 def _replaced(build: Build, alist: AList) -> Graphlet | None:
     """The description of the step that is meant: as it was, by its name, or by its place."""
-    for part in alist:  # beside what it is to come
-        if part.name in ("ahead_of", "behind"):
-            return _replaced(build, part)
     with build.drawing(pattern=True):
-        if alist.has("amid"):
+        if alist.name == "amid":
             return _at(build, "second")
         step = alist.find("stepping", "gerunding", "action") or _as_it_was(alist)
         if step is None:
