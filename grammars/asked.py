@@ -212,6 +212,8 @@ def _existing(build: Build, exist: AList) -> str:
         build.add("cnt", literal=number, cnt=thing)
     if here := exist.slot("hereabouts"):
         return build.add("loc", here, loc=thing)
+    if (loc := exist.find("loc")) is not None:
+        return build.place("loc", thing, loc)
     pred = exist.find("pred")
     return thing if pred is None else build.predicate(thing, pred, negated=False)
 

@@ -65,8 +65,8 @@ def _graphlets(meaning: Meaning) -> Iterator[Graphlet]:
         case Question(about=about, chain=chain):
             yield about
             yield from chain.graphlets() if chain is not None else ()
-        case Control(about=about) if about is not None:
-            yield about
+        case Control(about=about, more=more) if about is not None:
+            yield from (about, *more)
         case Revision(chain, instead_of, of):
             yield from chain.graphlets()
             yield from (part for part in (instead_of, of) if part is not None)

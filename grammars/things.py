@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass, field
-from typing import Any
+from typing import Any, Final
 
 from grammars.alist import AList
 from grammars.errors import NoMeaningError
@@ -36,6 +36,8 @@ from grammars.usage import agrees
 from grammars.vocabulary import BORN
 from kernel.memory.recall import PERSONS
 from kernel.net.graphlet import Graphlet, Sketch, Term
+
+MUCH: Final = {"a bit": "little", "a little": "little", "slightly": "little", "even": "even"}
 
 
 @dataclass
@@ -254,7 +256,10 @@ class Things:
             if (alike := compared.find("alike")) is not None:
                 roles = {"hq": name, "as": other}
                 return self.add("hq", alike.slot("hq"), negated=negated, **roles)
-            return self.add("hq", word, hq=name, than=other, negated=negated)
+            hq = self.add("hq", word, hq=name, than=other, negated=negated)
+            for deg in compared.all("deg"):  # "much heavier than that"
+                self.add("deg", MUCH.get(deg.value or "", "much"), deg=hq)
+            return hq
         if (called := pred.find("isname")) is not None:
             if self.sketch.terms[name].lex & {"you", "me"}:  # "if you are idle"
                 return self.add("hq", called.slot("name"), hq=name, negated=negated)

@@ -48,7 +48,8 @@ def whether(build: Build, asks: AList) -> Question:
         build.sketch.link(so.main, "agt", build.oneself("you"))
         return Question("yesno", build.graphlet(so.main))
     topic = _topic(build, so)
-    if not topic and (asks.find("np") or YOU).has("whole"):  # "are both of the cups empty"
+    whole = subject.has("whole") or subject.slot("vague") == "everything"
+    if not topic and whole:  # "are both of the cups empty"
         about = build.sketch.terms[so.main].links
         name = next(
             (other for role, other in about if role in ("agt", "hq", "loc", "own", "ako")), ""

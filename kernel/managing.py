@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Generator, Iterable
 from dataclasses import replace
+from typing import Final
 
 from kernel.action.step import Run
 from kernel.action.verdict import Verdict
@@ -21,6 +22,8 @@ from kernel.memory.policy import Shift
 from kernel.memory.reply import Forgotten, NothingToDo, TakenBack
 from kernel.memory.teacher import in_own_name
 from kernel.net.graphlet import Graphlet
+
+TAUGHT: Final = frozenset(("teach",))
 
 
 def undo(commons: Commons, focus: Focus) -> Run:
@@ -146,6 +149,11 @@ def forget(commons: Commons, focus: Focus, control: Control) -> Run:
         found = _told(commons, control.told, focus.by)
     elif about is None:
         found = last_taught(commons)
+    elif about.head is not None and about.head.lex == TAUGHT:
+        found, about = _of_teacher(commons, about, focus.by), None
+    elif control.more:
+        found = [lesson for act in (about, *control.more) for lesson in _ways(commons, act)]
+        about = None
     elif about.main.startswith("act"):
         found = _ways(commons, about)
         if not found and _inborn(commons, about):
@@ -177,6 +185,14 @@ def _by_number(commons: Commons, focus: Focus, numbers: tuple[int, ...]) -> Run:
         return Verdict.FAILED
     commons.replies.append(Forgotten(tuple(found), resting=len(wanted) - len(found)))
     return Verdict.SUCCEEDED
+
+
+def _of_teacher(commons: Commons, taught: Graphlet, by: str) -> list[Lesson]:
+    """What one person taught, who may be the speaker; nothing where he is not named."""
+    links = dict(taught.head.links) if taught.head else {}
+    names = taught.term(links["agt"]).lex
+    who = by if "me" in names else min(names, default="")
+    return [x for x in commons.lessons.values() if who and x.ident > INNATE and x.teacher == who]
 
 
 def _ways(commons: Commons, act: Graphlet) -> list[Lesson]:

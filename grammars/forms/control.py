@@ -53,8 +53,16 @@ def control(alist: AList) -> Control:
     with build.drawing(pattern=True):
         if (thing := (forget or alist.find("learned") or alist).find("np")) is not None:
             return Control(act, build.graphlet(build.thing(thing)))
+    if forget is not None and (teacher := forget.find("teacher")) is not None:
+        with build.drawing(pattern=True):
+            who = build.thing(teacher.first("np"), person=True)
+            taught = build.add("act", "teach", agt=who, dest=build.oneself("you"))
+            return Control(act, build.graphlet(taught))
     named = (forget or alist.find("cancel", "resume") or alist).all("action", "gerunding", "act")
-    if len(named) > 1:
+    if len(named) > 1 and forget is None:
         return Control(act)
-    with build.drawing(pattern=True, trigger=True):  # "greet somebody", as it was taught
-        return Control(act, build.graphlet(build.action(named[0])) if named else None)
+    acts = []
+    for action in named:
+        with build.drawing(pattern=True, trigger=True):  # "greet somebody", as it was taught
+            acts.append(build.graphlet(build.action(action)))
+    return Control(act, acts[0] if acts else None, more=tuple(acts[1:]))

@@ -26,6 +26,7 @@ EXAMPLES = (
     "Mary has a red hat.",
     "the blue block is not heavy",
     "the ball is behind you",
+    "I'm very tired",
 )
 
 # What somebody does without ever being at it; such a saying is no deed that could be watched.
@@ -53,6 +54,10 @@ def fact(alist: AList) -> Fact:
             return Fact(build.graphlet(main))
     if (deed := alist.find("past_deed")) is not None:
         return _past_deed(build, deed)
+    if (feeling := alist.find("feeling")) is not None:  # "I'm hungry"
+        with build.drawing(pattern=False):
+            hq = build.quality(build.oneself("me"), feeling, feeling.has("neg"))
+            return Fact(build.graphlet(hq))
     said = alist.first("clause")
     _check_subject(said)
     _check_absence(said)

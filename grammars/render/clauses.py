@@ -13,6 +13,7 @@ from grammars.render.deeds import be, deed
 from grammars.render.telling import SAYING, Telling, is_predicate, linked, word
 from grammars.render.things import (
     PRONOUNS,
+    degree,
     description,
     kind,
     place,
@@ -214,7 +215,7 @@ def _as_kind(telling: Telling, term: Term) -> str:
 def _as_quality(telling: Telling, term: Term) -> str:
     other = linked(term, "than")
     if other:
-        return f"{comparative(word(term))} than {thing(telling, other)}"
+        return f"{degree(telling, term.name)}{comparative(word(term))} than {thing(telling, other)}"
     if alike := linked(term, "as"):
         return f"as {word(term)} as {thing(telling, alike)}"
     regards = [place(telling, about) for about in telling.take(term.name, "loc")]

@@ -146,6 +146,9 @@ def _asked(telling: Telling, asked: Question) -> tuple[str, Clause]:
     main = telling.term(asked.about.main)
     wanted = asked.wanted or main.name
     match asked.ask:
+        case "yesno" if not is_predicate(main) and not main.lex:
+            there = thing(telling, main.name)
+            return "", Clause("there", be(there), f"{be(there)} {there}", there)
         case "yesno":
             return "", claim(telling, asked.about)
         case "where" if telling.term(linked(main, "loc")).kind == "act":

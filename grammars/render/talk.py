@@ -6,7 +6,7 @@ from typing import Final
 
 from grammars.render.deeds import deed
 from grammars.render.procedures import procedure
-from grammars.render.telling import Telling, Voice
+from grammars.render.telling import Telling, Voice, linked
 from grammars.render.things import pronoun, proper, thing
 from kernel.memory.editing import ORDER, OTHER_WAY, alteration
 from kernel.memory.meaning import Control, Feedback, Identity, Revision, Social
@@ -56,7 +56,11 @@ def control(meaning: Control, voice: Voice) -> str:
     if not main.startswith("act"):
         who = pronoun(telling, "me", "subject")
         return f"forget what {who} told {pronoun(telling, 'you', 'object')} about {thing(telling, main)}"
-    return f"forget how to {deed(telling, main)}"
+    if telling.term(main).lex == {"teach"}:
+        who = thing(telling, linked(telling.term(main), "agt"), "subject")
+        return f"forget everything {who} taught {pronoun(telling, 'you', 'object')}"
+    more = (deed(Telling((act,), (), voice), act.main) for act in meaning.more)
+    return " and how to ".join((f"forget how to {deed(telling, main)}", *more))
 
 
 def revision(meaning: Revision, voice: Voice) -> str:

@@ -107,12 +107,14 @@ class Control:
         about: what is to be stopped or forgotten: an act, or a thing that facts are about.
         lessons: numbers of the lessons to be forgotten, where these were given instead.
         told: the lesson or fact to be forgotten, told again.
+        more: further acts to be forgotten.
     """
 
     act: Act
     about: Graphlet | None = None
     lessons: tuple[int, ...] = ()
     told: Teach | Fact | None = None
+    more: tuple[Graphlet, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)

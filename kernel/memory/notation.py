@@ -63,9 +63,10 @@ def write_meaning(meaning: Meaning) -> tuple[str, ...]:
             return (f"{'obj' if robot else 'user'}-1 -lex- {name}",)
         case Social(act):
             return (act,)
-        case Control(act, about, _, told):
+        case Control(act, about, _, told, more):
             again = write_meaning(told) if told else ()
-            return (act, *((write(about),) if about else ()), *again)
+            acts = (about, *more) if about else ()
+            return (act, *map(write, acts), *again)
         case Choice(described):
             return (write(described),)
         case Revision(chain, instead_of, of, last, beside):
