@@ -108,12 +108,13 @@ def clause(build: Build, part: AList, subject: str = "", topical: bool = False) 
         return build.add("act", "say", agt=agent, obj=txt)
     if part.has("habit") or part.has("habit_s"):
         return _doing(build, part.first("habit", "habit_s"), agent, objects, negated)
-    if part.has("does") or part.has("going"):
+    if (part.has("does") and not part.has("counted")) or part.has("going"):
         return _doing(build, part, agent, objects, negated)
     if (counted := part.find("counted")) is not None:
         many = build.thing(AList("np", counted.parts[1:]))
         build.add("cnt", literal=counted.slot("num"), cnt=many)
-        return build.add("act", "have", agt=agent, obj=many, negated=negated)
+        verb = part.slot("does", "have")
+        return build.add("act", verb, agt=agent, obj=many, negated=negated)
     if objects and not (build.telling and is_abstract(objects[0])):
         owned = build.thing(objects[0])
         return build.add("act", "have", agt=agent, obj=owned, negated=negated or build.negative)

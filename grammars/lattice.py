@@ -30,6 +30,9 @@ MAY_ORDER: Final = [
 ]
 CALLING: Final = ("called", "named")
 NAMING: Final = [[verb, article] for verb in ("is", "'s") for article in ("a", "an")]
+PETS: Final = frozenset(
+    "dog puppy spaniel poodle terrier beagle cat kitten hamster rabbit parrot horse pony".split()
+)
 
 # A word as people make it up: "flibbit", "x-ray", "café".
 PLAIN: Final = re.compile("[a-z]?(-?[a-z]{2,})+")
@@ -152,7 +155,9 @@ def _may_be_name(token: Token, before: Piece | None, after: Sequence[Piece]) -> 
         ordering = (words[:1] in ORDERING and words[1:2] == ["you"]) or words[:2] in MAY_ORDER
         return ordering or (words[2:3] == ["than"] and words[-1] in OWN)
     if before is None:
-        return "ADJ" in token.readings and words[:2] in NAMING
+        words = [words[0], *words[2:]] if words[1:2] == ["not"] else words
+        pet = "NOUN" in token.readings and words[2:3] and words[2] in PETS  # "Biscuit is a spaniel"
+        return words[:2] in NAMING and ("ADJ" in token.readings or bool(pet))
     told = token.piece.capital or before.text in CALLING
     return told and not token.readings.keys().isdisjoint(("ADJ", "NOUN", "NOUNS"))
 

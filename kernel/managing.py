@@ -190,9 +190,13 @@ def _by_number(commons: Commons, focus: Focus, numbers: tuple[int, ...]) -> Run:
 def _of_teacher(commons: Commons, taught: Graphlet, by: str) -> list[Lesson]:
     """What one person taught, who may be the speaker; nothing where he is not named."""
     links = dict(taught.head.links) if taught.head else {}
-    names = taught.term(links["agt"]).lex
-    who = by if "me" in names else min(names, default="")
-    return [x for x in commons.lessons.values() if who and x.ident > INNATE and x.teacher == who]
+    named = taught.term(links["agt"]).lex
+    names = {by.lower()} if "me" in named else named
+    return [
+        lesson
+        for lesson in commons.lessons.values()
+        if lesson.ident > INNATE and lesson.teacher and lesson.teacher.lower() in names
+    ]
 
 
 def _ways(commons: Commons, act: Graphlet) -> list[Lesson]:

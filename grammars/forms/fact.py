@@ -33,6 +33,8 @@ EXAMPLES = (
 STATIVE: Final = frozenset(
     "know like love hate want need own prefer fear see mean get take".split()
 )
+PARTS: Final = "end start beginning point way case thing last limit".split()
+PAST: Final = "past"  # it was done, and is no habit
 IT: Final = ("it", "that", "this")
 LONGEST_QUOTE: Final = 6  # words somebody is told to have said; at more length it is gossip
 
@@ -58,6 +60,10 @@ def fact(alist: AList) -> Fact:
         with build.drawing(pattern=False):
             hq = build.quality(build.oneself("me"), feeling, feeling.has("neg"))
             return Fact(build.graphlet(hq))
+    if (pointed_out := alist.find("pointed_out")) is not None:
+        if pointed_out.first("pred").first("kindof").slot("ako") in PARTS:
+            raise NoMeaningError("this is the end")
+        alist = AList(alist.name, (AList("clause", pointed_out.parts),))
     said = alist.first("clause")
     _check_subject(said)
     _check_absence(said)
@@ -76,6 +82,7 @@ def _past_deed(build: Build, deed: AList) -> Fact:
         agent = build.thing(AList("np", tuple(deed.all("name"))), person=True)
         act = build.action(done)
         build.sketch.link(act, "agt", agent)
+        build.add("mod", PAST, mod=act)
         build.sketch.change(act, negated=deed.has("neg"))
         told = build.graphlet(act)
     return Fact(told, tuple(build.finds))

@@ -117,15 +117,17 @@ def _doing(telling: Telling, term: Term, adverb: str) -> Clause:
     subject = thing(telling, agent, "subject") if agent else "something"
     if subject == "they":  # rules want the singular verb: "he likely speaks Portuguese"
         subject = "she" if telling.term(agent).lex & WOMEN else "he"
+    tense = [mod for mod in telling.about(term.name, "mod") if word(mod) == "past"]
+    telling.hold_back(tense)
     done = deed(telling, term.name, told=True)
     third = be(subject) == "is"
     if not _is_known(word(term)):  # one that nobody taught is known by its "-ing" only
         rest = f"{'not ' if term.negated else ''}{adverb}{gerund(done)}"
         return Clause(subject, be(subject), f"{be(subject)} {rest}", rest)
-    verb = "does" if third else "do"
+    verb = "did" if tense else "does" if third else "do"
     if term.negated:
         return Clause(subject, verb, f"{adverb}{verb} not {done}", f"{adverb}not {done}")
-    stated = past(done) if "teach" in term.lex else third_person(done) if third else done
+    stated = past(done) if tense or "teach" in term.lex else third_person(done) if third else done
     return Clause(subject, verb, adverb + stated, adverb + done)
 
 
@@ -189,10 +191,11 @@ def wonder(telling: Telling, name: str) -> str:
     return f"{asked} {subject} {be(subject)}"
 
 
-def naming(telling: Telling, term: Term) -> Clause:
-    """The thing is called so: the main node is no predicate but has a name."""
+def naming(telling: Telling, term: Term, told: bool = False) -> Clause:
+    """The thing is called so: the main node is no predicate but has a name; told: as news."""
     subject = thing(telling, term.name, "subject")
-    called = "called " if BORN.readings(word(term)).keys() & {"NOUNS"} else ""
+    plural = bool(BORN.readings(word(term)).keys() & {"NOUNS"})
+    called = "called " if plural or (told and not term.negated and "'s " not in subject) else ""
     rest = ("not " if term.negated else "") + called + proper(word(term))
     if subject == "it":  # "it is Rover" would be somebody speaking
         subject = "its name"

@@ -8,7 +8,7 @@ from typing import Final
 from grammars.hedges import BELIEF
 from grammars.morphology import plural
 from grammars.render.alike import either
-from grammars.render.clauses import conditions
+from grammars.render.clauses import conditions, naming
 from grammars.render.operators import Wording, ways_out, worded
 from grammars.render.telling import SAYING, Telling, Voice, is_predicate, linked, word
 from grammars.render.things import thing
@@ -84,6 +84,8 @@ def fact(content: Graphlet, finds: tuple[Graphlet, ...], voice: Voice) -> str:
         said = thing(Telling((*finds, told), (), voice), subjects[0])
         return f"there is {f'no {_bare(said)}' if main.negated else said}"
     belief = main.belief if main else 1.0
+    if main and not is_predicate(main):
+        return str(naming(Telling(finds, (content,), voice), main, told=True))
     return conditions(Telling(finds, (content,), voice), content, hedge(belief))
 
 
