@@ -165,6 +165,8 @@ def _place(action: AList, name: str) -> int:
 
 def _altered(build: Build, altered: AList) -> Chain:
     """A step of no verb: the last one, with these modifiers in the place of those that it had."""
+    if any(deg.value == "too" for deg in altered.walk()):  # that is how it was, and no wish
+        raise NoMeaningError(str(altered))
     with build.drawing(pattern=not altered.has("place")):
         act = build.add("act")
         if (num := altered.find("num")) is not None:

@@ -195,7 +195,7 @@ def naming(telling: Telling, term: Term, told: bool = False) -> Clause:
     """The thing is called so: the main node is no predicate but has a name; told: as news."""
     subject = thing(telling, term.name, "subject")
     plural = bool(BORN.readings(word(term)).keys() & {"NOUNS"})
-    called = "called " if plural or (told and not term.negated and "'s " not in subject) else ""
+    called = "called " if plural or (told and not term.negated and " " in subject) else ""
     rest = ("not " if term.negated else "") + called + proper(word(term))
     if subject == "it":  # "it is Rover" would be somebody speaking
         subject = "its name"

@@ -385,10 +385,10 @@ def test_any_fact(meaning: Meaning) -> None:
 @pytest.mark.parametrize(
     "sentence",
     [
-        "the red block is Bob",
-        "this block is Tim",
-        "Mary's cat is Tom",
-        "Ken's wife's bottle is Poppy",
+        "the red block is called Bob",
+        "this block is called Tim",
+        "Mary's cat is called Tom",
+        "Ken's wife's bottle is called Poppy",
         "the big red block is heavy",
         "Mary is Rick's sister",
     ],
