@@ -113,8 +113,7 @@ def clause(build: Build, part: AList, subject: str = "", topical: bool = False) 
     if (counted := part.find("counted")) is not None:
         many = build.thing(AList("np", counted.parts[1:]))
         build.add("cnt", literal=counted.slot("num"), cnt=many)
-        verb = part.slot("does", "have")
-        return build.add("act", verb, agt=agent, obj=many, negated=negated)
+        return build.add("act", part.slot("does", "have"), agt=agent, obj=many, negated=negated)
     if objects and not (build.telling and is_abstract(objects[0])):
         owned = build.thing(objects[0])
         return build.add("act", "have", agt=agent, obj=owned, negated=negated or build.negative)
