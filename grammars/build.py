@@ -23,11 +23,11 @@ from grammars.chains import (
 from grammars.clauses import flat, names, put_nowhere, stated
 from grammars.errors import NoMeaningError
 from grammars.mentions import (
-    ASKING,
     OWNING,
     SELF_OWN,
     Thing,
     degree,
+    is_addressed,
     is_person,
     is_time,
     place_word,
@@ -47,7 +47,6 @@ UNQUOTED: Final = frozenset("it them that this at to from for along out".split()
 VOICES: Final = {"loud": "loudly", "quiet": "quietly"}
 STEP: Final = "step"
 LETTING_GO: Final = ("release", "drop")  # everything: all that it holds
-CONJUNCTIONS: Final = ("or", "but", "because")  # "don't tell him that or he will cry"
 SIZES: Final = {
     "all the way": "fully",
     "completely": "fully",
@@ -197,12 +196,9 @@ class Build(Things):
         if (asked := speech.find("asked_if")) is not None:
             links["obj"] = self.add("txt", literal=f"if {asked.slot('quote')}")
         elif (quote := speech.find("quote")) is not None:
-            words = (quote.value or "").lower().removeprefix("that ").split()
-            if not words or words[0] in CONJUNCTIONS:
+            if not is_addressed(verb, speech):
                 raise NoMeaningError(str(speech))
             links["obj"] = self.add("txt", literal=quote.value or "")
-            if verb == "ask" and not speech.has("listener") and words[0] not in ASKING:
-                raise NoMeaningError(str(speech))
         elif not is_person(asked := speech.first("listener")) and asked.slot("pron") != "me":
             raise NoMeaningError(str(speech))
         hearer = speech.find("hearer", "listener")

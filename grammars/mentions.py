@@ -7,7 +7,7 @@ from typing import Final
 
 from grammars.alist import AList
 from grammars.morphology import gerund
-from grammars.usage import TIMES_OF_DAY, is_abstract, is_bare
+from grammars.usage import TIMES_OF_DAY, is_abstract, is_bare, kind
 from grammars.vocabulary import BORN
 
 SELF: Final = {"you": "you", "yourself": "you", "me": "me", "i": "me", "mine": "me", "yours": "you"}
@@ -17,6 +17,8 @@ ALIKE: Final = {"him": "he", "her": "she", "them": "they", "these": "this", "tho
 ASKING: Final = frozenset(
     "who what where when why how which whose may can could will would shall should is are do does did".split()
 )
+CONJUNCTIONS: Final = ("or", "but", "because")  # "don't tell him that or he will cry"
+FINITE: Final = frozenset("is are was were has may can will must should does did".split())
 PERSONAL: Final = frozenset("him her he she".split())
 OF_WOMEN: Final = frozenset(("she", "her"))
 PERSON_WORDS: Final = frozenset("someone somebody anyone anybody nobody whoever".split()) | {
@@ -128,9 +130,29 @@ def is_definite(np: AList) -> bool:
 
 def is_person(np: AList) -> bool:
     """The noun phrase names a person, or tells of one."""
-    kind = np.slot("ako") or np.slot("akos")
     of_persons = np.slot("pron") in PERSONAL | {"them"} or np.slot("vague") in PERSON_WORDS
-    return np.has("name") or of_persons or "PERSON" in BORN.readings(kind)
+    return np.has("name") or of_persons or "PERSON" in BORN.readings(kind(np))
+
+
+def is_addressed(verb: str, speech: AList) -> bool:
+    """Somebody may be told so: neither the robot itself nor "lift", nor may "tell Mary may go" be meant.
+
+    Args:
+        verb: say, tell or ask.
+        speech: its bracket, with a quote.
+    """
+    words = speech.slot("quote").lower().removeprefix("that ").split()
+    if not words or words[0] in CONJUNCTIONS:
+        return False
+    listener, hearer = speech.find("listener"), speech.find("hearer")
+    if verb == "ask" and listener is None:
+        return words[0] in ASKING
+    if listener is not None and (listener.slot("pron") == "you" or listener.value == "you"):
+        return False
+    if verb == "tell" and words[0] in FINITE:
+        return False
+    np = None if hearer is None else hearer.find("np")
+    return np is None or is_person(np) or not is_bare(np) or not BORN.knows(kind(np))
 
 
 def may_be_person(np: AList) -> bool:

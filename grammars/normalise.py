@@ -121,8 +121,8 @@ def _abbreviates(before: Sequence[Piece], piece: Piece) -> bool:
 
 
 def _is_written(raw: str) -> bool:
-    """Of letters as people type them: no fractions, no wide letters."""
-    return raw.isascii() or normalize("NFKC", raw) == raw
+    """Of letters as people type them: no fractions, no wide letters, no capital that is two letters when small."""
+    return raw.isascii() or (normalize("NFKC", raw) == raw and len(raw.lower()) == len(raw))
 
 
 def _word(raw: str, begin: int, end: int, capital: bool) -> list[Piece]:

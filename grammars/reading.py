@@ -4,6 +4,7 @@ means something wins. How words are put together is the business of `earley.py`.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any, Final
@@ -175,7 +176,9 @@ class Reader:
         builders = {word for word in literal if not known.readings(word)}
         choices: list[list[Piece]] = [found]
         for at in places:
-            near = near_words(found[at].text, words, builders)
+            plain = re.sub("[^a-z]", "", found[at].text)
+            damaged = plain != found[at].text and plain in words
+            near = [plain] if damaged else near_words(found[at].text, words, builders)
             if not near:
                 near = near_words(found[at].text, words, builders, likely=False) or [found[at].text]
                 near = [] if likely and near != [found[at].text] else near

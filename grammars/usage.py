@@ -134,6 +134,8 @@ def is_used(action: AList, verb: str, pattern: bool) -> bool:
         return False
     if any({one, other} in OPPOSITE or one == other for one in dirs for other in _after(dirs, one)):
         return False
+    if {"nowhere", "steering"} <= uses and "venting" not in uses and action.has("dest"):
+        return False  # "stop to the kitchen"
     if any(len(action.all(part)) > 1 for part in ONCE):
         return False
     if ("still" in uses and not WAYS.isdisjoint(dirs)) or (
