@@ -10,6 +10,7 @@ from grammars.alternatives import alternatives, one_each
 from grammars.clauses import clause, condition, names
 from grammars.errors import NoMeaningError
 from grammars.mentions import somebody
+from grammars.usage import is_odd_end
 from grammars.vocabulary import BORN, lines
 from kernel.action.chain import Chain, Directive, Loop, Part, Play
 from kernel.net.graphlet import Graphlet, Term
@@ -75,6 +76,8 @@ def plays(build: Build, play: AList) -> list[Play]:
                 if names(part.first("clause")):  # nobody is made to be Mary
                     raise NoMeaningError(str(part))
                 required.append(Directive("ACH", _claim(build, part.first("clause"))))
+            case "keeping" if is_odd_end(part.first("np"), part.first("qual")):
+                raise NoMeaningError(str(part))
             case "keeping":
                 beside.append(Directive("KEEP", _claim(build, part)))
             case "avoiding":

@@ -29,6 +29,8 @@ PATHS: Final = frozenset("up down in out over around through along".split())
 BACKING: Final = ("back", "reverse")
 # Said alone they move nothing: "in", "here".
 NO_WAY: Final = frozenset("in on off out over here there inside outside indoors outdoors".split())
+PARTICLES: Final = frozenset("in out on off up down over".split())
+SWITCHING: Final = frozenset(("on", "off"))
 # Qualities that stand behind a thing only, unless it has an article ("press the on button").
 BEHIND: Final = frozenset(
     "up down on off here there gone home away asleep awake alone alive afraid near".split()
@@ -132,6 +134,8 @@ def is_used(action: AList, verb: str, pattern: bool) -> bool:
         return False
     if "whole" in uses and (action.has("size") or action.has("amt")):
         return False
+    if _is_crossed(action, obj, dirs):
+        return False
     if any({one, other} in OPPOSITE or one == other for one in dirs for other in _after(dirs, one)):
         return False
     if {"nowhere", "steering"} <= uses and "venting" not in uses and action.has("dest"):
@@ -147,6 +151,18 @@ def is_used(action: AList, verb: str, pattern: bool) -> bool:
     if "venting" in uses and any(map(is_bare, bare)):
         return False
     return pattern or all(map(_is_short, bare))
+
+
+def _is_crossed(action: AList, obj: AList | None, dirs: list[str]) -> bool:
+    """Ways that come together only by chance: "turn right on", "leave out the back up"; each block is not backed up."""
+    said = set(dirs)
+    every = action.find("every")
+    if every is not None and action.slot("act") in BACKING:
+        return kind(every) not in _classes()["backing"] | {""}
+    particles = said & PARTICLES
+    return (bool(said & WAYS) and bool(said & SWITCHING)) or (
+        obj is not None and len(particles) > 1
+    )
 
 
 def _lacks(action: AList, obj: AList | None, uses: frozenset[str]) -> bool:
@@ -168,7 +184,8 @@ def _goes_to_itself(action: AList, obj: AList | None, uses: frozenset[str]) -> b
     if place is not None:
         loc = place.first("loc")
         marks += (np.slot("pron") for np in loc.all("np"))
-        if loc.slot("prep") == "on" and "it" in marks:
+        named = any(np.has("name") for np in loc.all("np"))
+        if loc.slot("prep") == "on" and (named or "it" in marks):
             return True
     return not {"you", "yourself"}.isdisjoint(marks)
 
@@ -214,6 +231,11 @@ def _is_short(np: AList, told: bool = False) -> bool:
     if _qualities(np) & BEHIND:
         return False
     return told or not (np.has("ako") and is_abstract(np))
+
+
+def is_odd_end(np: AList, qual: AList) -> bool:
+    """ "Keep back up": a thing without an article, and a quality that is rather a way."""
+    return is_bare(np) and (qual.value or qual.slot("hq")) in BEHIND
 
 
 def _qualities(np: AList) -> set[str]:
