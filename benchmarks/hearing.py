@@ -29,7 +29,7 @@ from daemon.hearing.events import Heard, HearingEvent, NotHeard, StopWord
 from daemon.hearing.recogniser import RATE_HZ, engines
 from daemon.hearing.transcribe import Transcriber
 from grammars.errors import NotUnderstoodError
-from grammars.heard import automaton
+from grammars.language import language
 from grammars.normalise import pieces
 from grammars.parse import parse
 from grammars.vocabulary import BORN, Vocabulary
@@ -44,7 +44,7 @@ SPEEDS = {"demonstration": (0.85, 1.0, 1.2), "heldout": (0.85, 1.0, 1.2)}
 """Duration, relative to the voice's own; 1 for a list that is not here."""
 PAUSES_S = {"lessons": (0.4, 0.8, 1.2)}
 """What the bars in a list stand for."""
-LISTS = ("demonstration", "heldout", "others", "lessons", "managing", "chatter", "near")
+LISTS = ("demonstration", "heldout", "others", "wide", "lessons", "managing", "chatter", "near")
 COLUMNS = ("whole", "of", "%", "lag s", "stop s", "wrong", "per s")
 TAIL_S = 0.5
 TAUGHT = Vocabulary(BORN.born, {"widdershins": {"DIR": "widdershins"}})
@@ -124,7 +124,7 @@ def main() -> int:
     table = Table("engine", "list", "voice", "speed", "pause", *COLUMNS)
     console = Console()
     for engine in asked.engine or engines():
-        with Transcriber(Engine(engine), automaton(TAUGHT)) as transcriber:
+        with Transcriber(Engine(engine), language(TAUGHT)) as transcriber:
             transcriber.start()
             for name in asked.lists or LISTS:
                 total = Measure()

@@ -18,7 +18,7 @@ from daemon.hearing.recogniser import RATE_HZ, EngineError, Samples
 from daemon.hearing.recogniser_process import PATIENCE_S
 from daemon.understanding import understand
 from grammars.asking import AskWord
-from grammars.heard import automaton
+from grammars.language import language
 from grammars.vocabulary import Vocabulary
 from kernel.memory.meaning import Utterance
 from kernel.memory.reply import AskKeep, AskWhich
@@ -96,7 +96,7 @@ class Listening:
 
         def learn(ear: Ear) -> None:
             self._vocabulary = vocabulary
-            ear.set_language(automaton(vocabulary))
+            ear.set_language(language(vocabulary))
 
         if self._started.done() and self._started.exception() is None:
             loop, _, ear = self._started.result()
@@ -125,7 +125,7 @@ class Listening:
             self._started.set_exception(error)
 
     async def _serve(self) -> None:
-        ear = Ear(self._engine, automaton(self._vocabulary), self._parses)
+        ear = Ear(self._engine, language(self._vocabulary), self._parses)
         serving = asyncio.create_task(ear.serve())
         self._started.set_result((asyncio.get_running_loop(), serving, ear))
         reporting = asyncio.create_task(self._report(ear))

@@ -14,7 +14,7 @@ from daemon.hearing.recogniser import RATE_HZ
 from daemon.hearing.transcribe import Transcriber
 from daemon.understanding import understand
 from grammars.asking import AskWord
-from grammars.heard import automaton
+from grammars.language import language
 from grammars.vocabulary import Vocabulary
 from kernel.memory.meaning import Utterance
 from kernel.memory.reply import AskKeep, AskWhich
@@ -80,9 +80,9 @@ class VirtualEar(Closing):
 
     def _knowing(self, vocabulary: Vocabulary) -> Transcriber:
         if self._transcriber is None:
-            self._transcriber = Transcriber(self._engine, automaton(vocabulary))
+            self._transcriber = Transcriber(self._engine, language(vocabulary))
         elif vocabulary != self._vocabulary:
-            self._transcriber.set_language(automaton(vocabulary))
+            self._transcriber.set_language(language(vocabulary))
         self._vocabulary = vocabulary
         return self._transcriber
 

@@ -19,13 +19,11 @@ class Automaton:
         start: the state it begins in.
         finals: the states it may end in.
         arcs: (from, word, to), sorted.
-        typical: sentences of the language that people say, for who weighs what is likely.
     """
 
     start: int
     finals: frozenset[int]
     arcs: tuple[tuple[int, str, int], ...]
-    typical: tuple[str, ...] = ()
 
     @cached_property
     def moves(self) -> Mapping[int, Mapping[str, frozenset[int]]]:
@@ -62,8 +60,7 @@ class Automaton:
 def restrict(automaton: Automaton, words: frozenset[str]) -> Automaton:
     """The sentences that need no other words than these."""
     arcs = tuple(arc for arc in automaton.arcs if arc[1] in words)
-    typical = tuple(said for said in automaton.typical if words.issuperset(said.split()))
-    return useful(replace(automaton, arcs=arcs, typical=typical))
+    return useful(replace(automaton, arcs=arcs))
 
 
 def sample(automaton: Automaton, count: int, chance: random.Random) -> list[str]:
@@ -85,36 +82,6 @@ def sample(automaton: Automaton, count: int, chance: random.Random) -> list[str]
             state = chance.choice(sorted(automaton.moves[state][word]))
             said.append(word)
         drawn.setdefault(" ".join(said))
-    return list(drawn)
-
-
-def cover(automaton: Automaton) -> list[str]:
-    """Sentences that hold every pair of neighbouring words of the language, ends included.
-
-    That is all a recogniser with a bigram can learn from phrases.
-    """
-    ways_in, ways_out = _shortest_ways(automaton)
-    seen: dict[str, set[str]] = {}
-    drawn: dict[str, None] = {}
-
-    def draw(source: int, middle: tuple[str, ...], to: int) -> None:
-        said = (*ways_in[source], *middle, *ways_out[to])
-        for word, after in zip(said, (*said[1:], ""), strict=True):
-            seen.setdefault(word, set()).add(after)
-        drawn.setdefault(" ".join(said))
-
-    # Wherever an arc comes from, the same words follow it: one arc for each word and target is enough.
-    first: dict[tuple[str, int], int] = {}
-    for source, word, target in automaton.arcs:
-        first.setdefault((word, target), source)
-    for (word, target), source in first.items():
-        followed = seen.setdefault(word, set())
-        if target in automaton.finals and "" not in followed:
-            draw(source, (word,), target)
-        onward = automaton.moves.get(target, {})
-        for after in sorted(onward.keys() - followed):
-            if after not in followed:  # a phrase drawn for another may have held this pair
-                draw(source, (word, after), next(iter(onward[after])))
     return list(drawn)
 
 

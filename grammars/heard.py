@@ -3,8 +3,6 @@
 The whole language would be too much to be told apart. So phrases (things, actions, conditions) are the smaller ones of
 `heard.lark`; an example is heard with any of these in the place of its own, and with any word the ears know in the
 place of a word of the same category.
-
-An example is besides what people say, word for word: a recogniser that weighs what is likely is told so.
 """
 
 from __future__ import annotations
@@ -66,30 +64,27 @@ def skeleton() -> Automaton:
     files, else compiled now."""
     data = kept(COMPILED, _source(), compile_heard)
     arcs = tuple((source, word, target) for source, word, target in data["arcs"])
-    return Automaton(data["start"], frozenset(data["finals"]), arcs, tuple(data["typical"]))
+    return Automaton(data["start"], frozenset(data["finals"]), arcs)
 
 
 def compile_heard() -> dict[str, Any]:
     """The skeleton as plain data: ten seconds' work, so its result is kept in `heard.json`."""
-    rules = heard_rules()
-    made = Compiler(rules).compiled(START)
-    spoken = expand(made, spoken_words(BORN))
-    typical = map(said, _examples())
+    made = Compiler(heard_rules()).compiled(START)
     return {
         "source": _source(),
         "start": made.start,
         "finals": sorted(made.finals),
         "arcs": made.arcs,
-        "typical": [sentence for sentence in typical if spoken.accepts(sentence.split())],
     }
 
 
 def _source() -> str:
     """What the skeleton is made of."""
-    return digest("\n".join((grammar_text(), _stand_ins(), *lines("heard"), *_examples())))
+    return digest("\n".join((grammar_text(), _stand_ins(), *lines("heard"), *written_examples())))
 
 
-def _examples() -> Iterator[str]:
+def written_examples() -> Iterator[str]:
+    """The examples of all forms, as they are written."""
     for form in discover().values():
         yield from form.examples
 
@@ -144,7 +139,7 @@ class _LikeExamples:
     def rules(self, form: Form) -> Iterator[Rule]:
         """A rule for each example that means the same without its commas."""
         for example in form.examples:
-            tree = next(_sentences(parse(example).trees[0], form.name))
+            tree = next(derivations(parse(example).trees[0], form.name))
             ways = [tuple(self._symbols(tree, shared)) for shared in self._widths]
             ways.append(tuple(f'"{word}"' for word in said(example).split()))
             if way := next((way for way in ways if self._is_read(way, form)), ()):
@@ -154,7 +149,7 @@ class _LikeExamples:
         """Sentences drawn from it are of that form."""
         language = expand(self._compiler.sequence(way), self._words)
         return bool(language.arcs) and all(
-            is_chatter(tuple(sentence.split())) or _kind(sentence) == form.kind
+            is_chatter(tuple(sentence.split())) or kind(sentence) == form.kind
             for sentence in sample(language, DRAWN, random.Random(1))
         )
 
@@ -219,20 +214,21 @@ def _first_word(node: Tree | Leaf) -> str:
     return leaf[1].piece.text
 
 
-def _kind(sentence: str) -> str:
+def kind(sentence: str) -> str:
+    """The kind of a sentence; empty if it is none."""
     try:
         return parse(sentence).kind
     except NotUnderstoodError:
         return ""
 
 
-def _sentences(tree: Tree, form: str) -> Iterator[Tree]:
+def derivations(tree: Tree, form: str) -> Iterator[Tree]:
     """The derivations of a form in a derivation."""
     if tree.rule.origin.name == form:
         yield tree
     for child in tree.children:
         if isinstance(child, Tree):
-            yield from _sentences(child, form)
+            yield from derivations(child, form)
 
 
 def _written(name: str) -> str:

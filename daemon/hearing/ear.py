@@ -24,7 +24,7 @@ from daemon.hearing.worker import (
     Sound,
     framed,
 )
-from grammars.automaton import Automaton
+from grammars.language import Language
 
 MOST_BLOCKS = 50
 """Blocks that may wait for the recogniser: 5 s. Beyond that the oldest are dropped, and counted."""
@@ -42,7 +42,7 @@ class Ear:
     """
 
     def __init__(
-        self, engine: Engine, language: Automaton, parses: Parses, robot_name: str = "robot"
+        self, engine: Engine, language: Language, parses: Parses, robot_name: str = "robot"
     ) -> None:
         self._engine, self._language, self._name = engine, language, robot_name
         self.parses = parses
@@ -53,7 +53,7 @@ class Ear:
         self.unheard: tuple[str, ...] = ()
         self._process: asyncio.subprocess.Process | None = None
         self._blocks: asyncio.Queue[Sound] = asyncio.Queue(MOST_BLOCKS)
-        self._fresh: Automaton | None = None
+        self._fresh: Language | None = None
         self._heard_s = 0.0
         self._base_s = 0.0
         self._gate_s = -GATE_AFTER_S
@@ -94,7 +94,7 @@ class Ear:
             self._gate_s = self._heard_s
         self._speaking = now
 
-    def set_language(self, language: Automaton) -> None:
+    def set_language(self, language: Language) -> None:
         """Take a new language as soon as nothing is being said, not only when the next sound comes."""
         self._language = self._fresh = language
         self._idle = False

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import re
 
-from grammars.automaton import Automaton
+from grammars.language import Language
 
 SHORT_WAIT_S = 0.3
 LONG_WAIT_S = 1.5
@@ -23,7 +23,9 @@ _OPEN_FRAME = re.compile(
     r"(?:(?:hey |okay |ok )?robot |okay |please )?"
     r"(?:to |if |when |whenever |while |before |after |unless |until |for each |never |always |don't |do not |"
     r"(?:you|we) (?:should|must|may|can|could|might|are|shouldn't|mustn't|can't)|"
-    r"let me teach|here is|here's|only |another way|it is okay|it's okay|[a-z'-]+ing means )"
+    r"let me teach|here is|here's|only |another way|it is okay|it's okay|[a-z'-]+ing means |"
+    r"(?:every|each|any) time |anytime |as soon as |as long as |once |the moment |should |in case |prior to |"
+    r"under no circumstances |at no time |i forbid |it is forbidden |it's forbidden |avoid |refrain )"
 )
 """Beginnings of lessons: their first part is, or contains, what would be a command by itself."""
 
@@ -40,14 +42,12 @@ def is_continuation(text: str) -> bool:
     return _CONTINUATION.match(f"{text} ") is not None
 
 
-def is_unfinished(text: str, language: Automaton) -> bool:
-    """Whether the text is the beginning of a sentence, and no sentence."""
-    states = language.after(text.split())
-    return bool(text) and bool(states) and not states & language.finals
+def is_unfinished(text: str, whole: bool, language: Language) -> bool:
+    """Whether the text is the beginning of a sentence that is listened for; not if it is a whole sentence."""
+    return not whole and bool(text) and bool(language.listed.after(text.split()))
 
 
-def wait_s(text: str, language: Automaton) -> float:
-    """How long silence must last for the utterance to have ended, given what has been heard of it."""
-    if not is_open(text) and language.accepts(text.split()):
-        return SHORT_WAIT_S
-    return LONG_WAIT_S
+def wait_s(text: str, whole: bool) -> float:
+    """How long silence must last for the utterance to have ended, given what has been heard of it, and whether that is
+    a whole sentence."""
+    return SHORT_WAIT_S if whole and not is_open(text) else LONG_WAIT_S

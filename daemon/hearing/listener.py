@@ -14,7 +14,7 @@ from daemon.hearing.events import CoreEvent, Ended, NotHeard, Partial, StopWord
 from daemon.hearing.recogniser import RATE_HZ, Recogniser, Samples
 from daemon.hearing.stop_spotter import STOP_WORDS, StopSpotter
 from daemon.hearing.voice_activity import FRAME, FRAME_S, VoiceActivity
-from grammars.automaton import Automaton
+from grammars.language import Language
 
 LOOK_EVERY = 3
 """Frames between two looks at the hypothesis; at its beginning, where a "stop" would be, every frame is looked at."""
@@ -47,10 +47,10 @@ class _Utterance:
     spoken_s: float
     resumed_s: float
     text: str = ""
+    whole: bool = False
     before: str = ""
     changed_s: float = 0.0
     gated: bool = False
-    again: bool = False
     chance: np.random.Generator = field(default_factory=lambda: np.random.default_rng(0))
     frames: int = 0
     unfed: deque[Samples] = field(default_factory=lambda: deque(maxlen=round(LEAD_S / FRAME_S)))
@@ -61,14 +61,15 @@ class Listener:
 
     Args:
         engine: hears whole utterances.
-        spare: another of the same kind: hears what follows a pause by itself, so that a "stop" in the middle of a
-            halting lesson stops.
+        spare: another of the same kind: hears the beginning, and what follows a pause by itself, so that a "stop" in
+            the middle of a halting lesson stops; with fewer words, as "stop" among many is heard late: it might be
+            "stopped".
         language: what may be said.
         robot_name: may stand before or after a stop word.
     """
 
     def __init__(
-        self, engine: Recogniser, spare: Recogniser, language: Automaton, robot_name: str = "robot"
+        self, engine: Recogniser, spare: Recogniser, language: Language, robot_name: str = "robot"
     ) -> None:
         self._engine, self._spare = engine, spare
         self._activity = VoiceActivity()
@@ -97,10 +98,10 @@ class Listener:
         """Whether nothing is being said and nothing waits to be finished."""
         return self._utterance is None and self._unfinished is None
 
-    def set_language(self, language: Automaton) -> None:
+    def set_language(self, language: Language) -> None:
         """Take a new language; call only when idle. Its words that the engine cannot hear are then in `unheard`."""
         self._language = language
-        self._spare.set_grammar(language)
+        self._spare.set_grammar(language.plain())
         self.unheard = self._engine.set_grammar(language)
 
     def hear(self, samples: Samples, gated: bool = False) -> Iterator[CoreEvent]:
@@ -152,10 +153,8 @@ class Listener:
         lead = [
             _dithered(frame, utterance.chance) for frame in np.split(sound[:whole], whole // FRAME)
         ]
-        self._spotter.reset()
+        self._hear_apart(utterance, ())
         self._feed(utterance, *lead)
-        if held:
-            self._hear_apart(utterance, lead)
 
     def _onset(self) -> int:
         """Place in the sound before, LEAD_S ahead of where it grows loud."""
@@ -165,8 +164,7 @@ class Listener:
         return int(np.argmax(loud))
 
     def _hear_apart(self, utterance: _Utterance, lead: Iterable[Samples]) -> None:
-        utterance.again, utterance.resumed_s = True, self.now_s
-        utterance.before = utterance.text
+        utterance.resumed_s, utterance.before = self.now_s, utterance.text
         self._spotter.reset()
         self._spare.reset()
         for frame in lead:
@@ -196,23 +194,22 @@ class Listener:
         utterance.sound.extend(frames)
         for frame in frames:
             self._engine.feed(frame)
-            if utterance.again:
+            if self._since(utterance.resumed_s) < BEGINNING_S:
                 self._spare.feed(frame)
 
     def _look(self, utterance: _Utterance) -> Iterator[CoreEvent]:
         text = self._engine.partial()
         if text != utterance.text:
             utterance.text, utterance.changed_s = text, self.now_s
+            utterance.whole = self._engine.is_sentence(text)
             if text and not utterance.gated:
                 yield Partial(self.now_s, text)
-        heard = self._apart(utterance) if utterance.again else text
+        heard = self._apart(utterance)
         if word := self._spotter.heard(heard, self._since(utterance.spoken_s) >= QUIET_S):
             yield StopWord(self.now_s, word)
-        wait_s = endpoint.wait_s(text, self._language)
+        wait_s = endpoint.wait_s(text, utterance.whole)
         settled_s = endpoint.SETTLED_S * (1 if wait_s == endpoint.SHORT_WAIT_S else 2)
-        settled = (
-            self._language.accepts(text.split()) and self._since(utterance.changed_s) >= settled_s
-        )
+        settled = utterance.whole and self._since(utterance.changed_s) >= settled_s
         too_long = self.now_s - utterance.began_s >= endpoint.LONGEST_S
         if self._since(utterance.spoken_s) >= wait_s or settled or too_long:
             yield from self._end(utterance, too_long)
@@ -231,7 +228,8 @@ class Listener:
             return
         times = (utterance.began_s, utterance.spoken_s, self.now_s)
         best = found[0].text if found else utterance.text
-        if not cut and endpoint.is_unfinished(best, self._language):
+        whole = self._engine.is_sentence(best)
+        if not cut and endpoint.is_unfinished(best, whole, self._language):
             utterance.text = best
             self._unfinished = utterance
             return
@@ -243,7 +241,7 @@ class Listener:
             return
         if endpoint.is_open(best):
             # What was heard of it is no sentence: what follows at once may be the rest of it.
-            self._lesson_broken = not self._language.accepts(best.split())
+            self._lesson_broken = not whole
             self._lesson_ended_s = self.now_s
         yield Ended(*times, tuple((text, confidence) for text, confidence in found), cut)
 

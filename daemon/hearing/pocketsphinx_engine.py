@@ -14,7 +14,8 @@ from pathlib import Path
 import pocketsphinx
 
 from daemon.hearing.recogniser import Alternative, EngineError, Samples
-from grammars.automaton import Automaton, restrict
+from grammars.automaton import restrict
+from grammars.language import Language
 
 SHIPPED = "en-us"
 SETTINGS = {"bestpath": False, "beam": 1e-80, "wbeam": 1e-60, "pbeam": 1e-80, "lm": None}
@@ -58,13 +59,15 @@ class PocketsphinxRecogniser:
             if self._decoder.lookup_word(word) is None:
                 self._decoder.add_word(word, phones, True)
 
-    def set_grammar(self, language: Automaton) -> tuple[str, ...]:
+    def set_grammar(self, language: Language) -> tuple[str, ...]:
         """See Recogniser.
 
         Each grammar has a name of its own: adding one again under the active name crashes the decoder.
         """
-        unheard = {word for word in language.words if self._decoder.lookup_word(word) is None}
-        automaton = restrict(language, language.words - unheard)
+        listed = language.listed
+        unheard = {word for word in listed.words if self._decoder.lookup_word(word) is None}
+        automaton = restrict(listed, listed.words - unheard)
+        self._lists = language.lists
         self._version += 1
         name = f"language-{self._version}"
         end = automaton.size
@@ -81,6 +84,10 @@ class PocketsphinxRecogniser:
             self._decoder.remove_search(self._active)
         self._active = name
         return tuple(sorted(unheard))
+
+    def is_sentence(self, text: str) -> bool:
+        """See Recogniser: it hears what is listed and nothing else."""
+        return self._lists(text)
 
     def reset(self) -> None:
         """See Recogniser."""

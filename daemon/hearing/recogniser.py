@@ -10,7 +10,7 @@ from typing import NamedTuple, Protocol
 import numpy as np
 import numpy.typing as npt
 
-from grammars.automaton import Automaton
+from grammars.language import Language
 
 RATE_HZ = 16_000
 """Samples a second that every engine gets: one channel, 16 bits."""
@@ -31,8 +31,11 @@ class Recogniser(Protocol):
     set_grammar is called between utterances only; feed only between reset and final.
     """
 
-    def set_grammar(self, language: Automaton) -> tuple[str, ...]:
-        """Take a new language; return its words that this engine cannot hear."""
+    def set_grammar(self, language: Language) -> tuple[str, ...]:
+        """Take a new language; return the words that are listened for and that this engine cannot hear."""
+
+    def is_sentence(self, text: str) -> bool:
+        """Whether a hypothesis of this engine is a whole sentence of the language."""
 
     def reset(self) -> None:
         """Forget the utterance, if there is one, and begin another."""

@@ -15,7 +15,7 @@ from daemon.hearing.recogniser import RATE_HZ, Samples
 from daemon.hearing.recogniser_process import RecogniserLostError, RecogniserProcess
 from daemon.hearing.trust import Parses, choose
 from daemon.hearing.worker import Noticed, SetLanguage, SetUp, Sound
-from grammars.automaton import Automaton
+from grammars.language import Language
 
 SILENCE_S = 5.0
 """Silence after a recording: enough for the longest wait to be over."""
@@ -31,7 +31,7 @@ class Transcriber(Closing):
         robot_name: may stand before or after a stop word.
     """
 
-    def __init__(self, engine: Engine, language: Automaton, robot_name: str = "robot") -> None:
+    def __init__(self, engine: Engine, language: Language, robot_name: str = "robot") -> None:
         self._engine, self._language, self._name = engine, language, robot_name
         self._process: RecogniserProcess | None = None
         self._heard_s = 0.0
@@ -55,7 +55,7 @@ class Transcriber(Closing):
             self._process, self._heard_s = process, 0.0
         return self._process
 
-    def set_language(self, language: Automaton) -> None:
+    def set_language(self, language: Language) -> None:
         """Take a new language for the recordings to come."""
         self._language = language
         if self._process is not None:
@@ -106,7 +106,7 @@ class Transcriber(Closing):
 
 
 def transcribe(
-    recorded: Path | Samples, engine: Engine, language: Automaton, parses: Parses
+    recorded: Path | Samples, engine: Engine, language: Language, parses: Parses
 ) -> list[HearingEvent]:
     """Hear one recording with a recogniser of its own.
 

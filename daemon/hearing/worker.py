@@ -17,7 +17,7 @@ import numpy as np
 from daemon.hearing.events import CoreEvent
 from daemon.hearing.listener import Listener
 from daemon.hearing.recogniser import EngineError, load
-from grammars.automaton import Automaton
+from grammars.language import Language
 
 HEADER = struct.Struct("<I")
 
@@ -28,13 +28,13 @@ class SetUp(msgspec.Struct, frozen=True, tag=True):
     engine: str
     model: str
     robot_name: str
-    language: Automaton
+    language: Language
 
 
 class SetLanguage(msgspec.Struct, frozen=True, tag=True):
     """Take a new language. It is taken at once when nothing is being said, else as soon as that has ended."""
 
-    language: Automaton
+    language: Language
 
 
 class Sound(msgspec.Struct, frozen=True, tag=True):
@@ -72,7 +72,7 @@ class Worker:
 
     def __init__(self) -> None:
         self._listener: Listener | None = None
-        self._next: Automaton | None = None
+        self._next: Language | None = None
 
     def answer(self, request: Request) -> Reply:
         """One reply for one request.

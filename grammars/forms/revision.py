@@ -208,7 +208,7 @@ def _thing(alist: AList) -> AList | None:
     part = alist.find("np", "dest", "qual", "owner")
     if part is None or part.name == "np":
         return part
-    return part.first("np") if part.name == "dest" else _one(part)
+    return part.find("np") if part.name == "dest" else _one(part)
 
 
 def _things(build: Build, alist: AList) -> tuple[Graphlet | None, Chain]:

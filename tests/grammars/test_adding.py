@@ -95,8 +95,8 @@ from daemon.hearing import recording
 from daemon.hearing.choice import Engine
 from daemon.hearing.events import Heard
 from daemon.hearing.transcribe import Transcriber
-from grammars.heard import automaton
-with Transcriber(Engine(sys.argv[1]), automaton()) as transcriber:
+from grammars.language import language
+with Transcriber(Engine(sys.argv[1]), language()) as transcriber:
     events = transcriber.transcribe(recording.read(Path(sys.argv[2])), lambda text: True)
     print([event.text for event in events if isinstance(event, Heard)])
 """

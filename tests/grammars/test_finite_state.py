@@ -3,13 +3,12 @@
 from __future__ import annotations
 
 import random
-from dataclasses import replace
 
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from grammars.automaton import cover, restrict, sample
+from grammars.automaton import restrict, sample
 from grammars.finite_state import Compiler, expand
 
 RULES = [
@@ -60,26 +59,10 @@ def test_every_sampled_sentence_is_a_sentence(seed: int) -> None:
         assert SMALL.accepts(sentence.split())
 
 
-def test_covering_phrases_hold_every_pair_of_words() -> None:
-    pairs = {
-        pair
-        for phrase in cover(SMALL)
-        for pair in zip(phrase.split(), phrase.split()[1:], strict=False)
-    }
-    assert pairs == {
-        (word, after) for _, word, target in SMALL.arcs for after in SMALL.moves.get(target, {})
-    }
-
-
 def test_restricting_leaves_whole_sentences() -> None:
     less = restrict(SMALL, SMALL.words - {"block"})
     assert less.accepts("grab the ball".split())
     assert not less.after("grab the block".split())
-
-
-def test_typical_sentences_go_with_their_words() -> None:
-    typical = replace(SMALL, typical=("grab the ball", "grab the block"))
-    assert restrict(typical, SMALL.words - {"block"}).typical == ("grab the ball",)
 
 
 def test_two_words_said_as_one_and_possessives() -> None:

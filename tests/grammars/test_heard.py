@@ -204,12 +204,6 @@ def test_other_things_and_words_may_be_said_in_an_example() -> None:
         parse(sentence, TAUGHT)
 
 
-def test_typical_sentences_are_sentences() -> None:
-    language = automaton()
-    assert len(language.typical) > 150
-    assert all(language.accepts(sentence.split()) for sentence in language.typical)
-
-
 def test_the_compiled_skeleton_is_fresh() -> None:
     """python scripts/compile_grammar.py"""
     kept = json.loads(files("grammars").joinpath(COMPILED).read_text("utf8"))

@@ -12,10 +12,10 @@ from daemon.hearing.choice import Engine, choose_engine
 from daemon.hearing.ear import MOST_BLOCKS, Ear, play
 from daemon.hearing.events import Heard, HearingEvent, NotHeard, Partial
 from daemon.hearing.recogniser import UnknownEngineError
-from grammars.heard import automaton
+from grammars.language import language
 
 SPEECH = Path(__file__).parents[2] / "audio" / "hearing" / "flite-slt"
-LANGUAGE = automaton()
+LANGUAGE = language()
 
 
 async def next_event(ear: Ear) -> HearingEvent:
@@ -26,7 +26,7 @@ async def next_event(ear: Ear) -> HearingEvent:
 
 
 async def test_it_hears_a_recording_played_to_it() -> None:
-    ear = Ear(Engine("vosk"), LANGUAGE, lambda text: LANGUAGE.accepts(text.split()))
+    ear = Ear(Engine("vosk"), LANGUAGE, lambda text: LANGUAGE.reads(text))
     async with asyncio.TaskGroup() as group:
         serving = group.create_task(ear.serve())
         await ear.ready.wait()
@@ -38,7 +38,7 @@ async def test_it_hears_a_recording_played_to_it() -> None:
 
 
 async def test_a_dead_recogniser_is_reported_and_started_again() -> None:
-    ear = Ear(Engine("vosk"), LANGUAGE, lambda text: LANGUAGE.accepts(text.split()))
+    ear = Ear(Engine("vosk"), LANGUAGE, lambda text: LANGUAGE.reads(text))
     async with asyncio.TaskGroup() as group:
         serving = group.create_task(ear.serve())
         await ear.ready.wait()

@@ -12,9 +12,9 @@ from daemon.hearing.endpoint import (
     is_unfinished,
     wait_s,
 )
-from grammars.heard import automaton
+from grammars.language import language
 
-LANGUAGE = automaton()
+LANGUAGE = language()
 
 
 @pytest.mark.parametrize(
@@ -22,6 +22,7 @@ LANGUAGE = automaton()
     [
         ("drive forward", SHORT_WAIT_S),
         ("stop", SHORT_WAIT_S),
+        ("polish the wooden spoon", SHORT_WAIT_S),
         ("mary is a girl", SHORT_WAIT_S),
         ("turn left then", LONG_WAIT_S),
         ("grab the", LONG_WAIT_S),
@@ -31,10 +32,11 @@ LANGUAGE = automaton()
         ("never drive backwards", LONG_WAIT_S),
         ("before you grab the block turn left", LONG_WAIT_S),
         ("you should never grab a person", LONG_WAIT_S),
+        ("every time you see a lady wave", LONG_WAIT_S),
     ],
 )
 def test_the_wait_depends_on_what_was_heard(text: str, expected_s: float) -> None:
-    assert wait_s(text, LANGUAGE) == expected_s
+    assert wait_s(text, LANGUAGE.reads(text)) == expected_s
 
 
 def test_a_lesson_is_open_and_a_command_is_not() -> None:
@@ -44,10 +46,10 @@ def test_a_lesson_is_open_and_a_command_is_not() -> None:
 
 
 def test_half_a_sentence_is_unfinished_and_nonsense_is_not() -> None:
-    assert is_unfinished("turn left then", LANGUAGE)
-    assert not is_unfinished("turn left", LANGUAGE)
-    assert not is_unfinished("then then", LANGUAGE)
-    assert not is_unfinished("", LANGUAGE)
+    assert is_unfinished("turn left then", False, LANGUAGE)
+    assert not is_unfinished("turn left", True, LANGUAGE)
+    assert not is_unfinished("then then", False, LANGUAGE)
+    assert not is_unfinished("", False, LANGUAGE)
 
 
 def test_only_the_rest_of_a_sentence_is_a_continuation() -> None:

@@ -15,14 +15,14 @@ from daemon.hearing.choice import Engine
 from daemon.hearing.events import Heard, HearingEvent, NotHeard, Partial, StopWord
 from daemon.hearing.recogniser import RATE_HZ, EngineError, Samples
 from daemon.hearing.transcribe import Transcriber, transcribe
-from grammars.heard import automaton
+from grammars.language import language
 
 SPEECH = Path(__file__).parents[2] / "audio" / "hearing" / "flite-slt"
-LANGUAGE = automaton()
+LANGUAGE = language()
 
 
 def parses(text: str) -> bool:
-    return LANGUAGE.accepts(text.split())
+    return LANGUAGE.reads(text)
 
 
 @pytest.fixture(scope="module", params=["vosk", "pocketsphinx"])
@@ -84,6 +84,30 @@ def test_a_lesson_with_pauses_is_one_lesson(vosk: Transcriber, pause: str) -> No
     assert heard.text == "to cha-cha drive forward then drive backwards"
 
 
+@pytest.mark.parametrize(
+    ("name", "text"),
+    [
+        ("on-top-of-the-shelf", "what is on top of the shelf"),
+        ("polish", "could you polish the wooden table"),
+    ],
+)
+def test_what_is_not_listened_for_is_heard_if_it_is_a_sentence(
+    vosk: Transcriber, name: str, text: str
+) -> None:
+    assert not LANGUAGE.lists(text)
+    (heard,) = said(vosk, spoken(name))
+    assert isinstance(heard, Heard)
+    assert heard.text == text
+    assert heard.decided_s - heard.ended_s < 0.4
+
+
+def test_neither_is_a_lesson_that_is_not_listened_for_taken_apart(vosk: Transcriber) -> None:
+    (heard,) = said(vosk, spoken("in-case-0.8"))
+    assert isinstance(heard, Heard)
+    assert heard.text == "in case you see a person drive forward"
+    assert all(isinstance(event, NotHeard) for event in said(vosk, spoken("in-case-late")))
+
+
 def test_what_follows_an_unfinished_lesson_is_never_heard_alone(vosk: Transcriber) -> None:
     (heard,) = said(vosk, spoken("cha-cha-late"))
     assert isinstance(heard, Heard)
@@ -114,7 +138,7 @@ def test_while_the_robot_speaks_only_stop_is_heard(vosk: Transcriber) -> None:
 
 
 def test_a_language_is_taken_between_utterances(vosk: Transcriber) -> None:
-    vosk.set_language(automaton())
+    vosk.set_language(language())
     assert isinstance(said(vosk, spoken("please-dance"))[0], Heard)
 
 

@@ -1,0 +1,100 @@
+"""What may be said, as the recognisers get it: sentences to listen for, and all others the parser reads.
+
+An engine that follows an automaton hears what `heard.py` lists. One that weighs which words follow which is given
+phrases: what people say word for word (the examples), sentences like these with other words, and one for every rule of
+the grammar. Whether what it then heard is a sentence the parser says.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, replace
+from functools import cache, cached_property
+from typing import Final
+
+from grammars.automaton import Automaton
+from grammars.drawn import Deal, Shape, drawn, words
+from grammars.errors import NotUnderstoodError
+from grammars.heard import automaton
+from grammars.parse import parse
+from grammars.vocabulary import BORN, Readings, Vocabulary
+
+LIKE_EACH: Final = 100
+"""Sentences like each example: with 30 two in a hundred fewer were heard whole."""
+KEPT: Final = 0.25
+"""Share of the words of an example that stay in sentences like it: "drive forward" is said oftener than other pairs."""
+OF_EACH_WORD: Final = 10
+"""Sentences with each word that was taught."""
+
+
+@dataclass(frozen=True)
+class Language:
+    """What may be said.
+
+    Attributes:
+        listed: sentences that are listened for; all else that can be typed is heard if the words are plain.
+        typical: sentences that people say, word for word.
+        likely: other sentences, of every shape and with every word.
+        taught: the words beyond those known at birth, with their categories and lemmas.
+    """
+
+    listed: Automaton
+    typical: tuple[str, ...]
+    likely: tuple[str, ...]
+    taught: Mapping[str, Readings]
+
+    @cached_property
+    def words(self) -> frozenset[str]:
+        """Every word that may be heard."""
+        return self.listed.words.union(*(said.split() for said in (*self.typical, *self.likely)))
+
+    def plain(self) -> Language:
+        """With no other words than those that are listened for."""
+        known = self.listed.words
+        likely = (said for said in self.likely if known.issuperset(said.split()))
+        return replace(self, likely=tuple(likely))
+
+    def lists(self, text: str) -> bool:
+        """Whether this is one of the sentences that are listened for."""
+        return self.listed.accepts(text.split())
+
+    def reads(self, text: str) -> bool:
+        """Whether this is any sentence at all: some 5 ms."""
+        if self.lists(text):
+            return True
+        try:
+            return bool(parse(text, Vocabulary(BORN.born, self.taught)))
+        except NotUnderstoodError:
+            return False
+
+
+def language(vocabulary: Vocabulary = BORN) -> Language:
+    """What may be said by someone who has taught these words."""
+    likely = (*_born(), *_with_taught(vocabulary))
+    return Language(automaton(vocabulary), drawn().typical, likely, vocabulary.taught)
+
+
+@cache
+def _born() -> tuple[str, ...]:
+    deal, found = Deal(words()), drawn()
+    like = (
+        deal.said(shape, given, KEPT) for shape, given in found.examples for _ in range(LIKE_EACH)
+    )
+    return (*like, *map(deal.said, found.rules))
+
+
+def _with_taught(vocabulary: Vocabulary) -> Iterator[str]:
+    holding: dict[str, list[tuple[Shape, Shape]]] = {}
+    for shape, given in drawn().examples:
+        for category in set(shape):
+            holding.setdefault(category, []).append((shape, given))
+    for word, readings in vocabulary.taught.items():
+        for category in readings:
+            deal = Deal({category: [word]})
+            for shape, given in holding.get(category, [])[:OF_EACH_WORD]:
+                yield deal.said(
+                    tuple(
+                        part if part == category else old
+                        for part, old in zip(shape, given, strict=True)
+                    )
+                )

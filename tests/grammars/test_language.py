@@ -1,0 +1,49 @@
+"""What may be said, as the recognisers get it."""
+
+from __future__ import annotations
+
+import pytest
+
+from grammars.heard import kind
+from grammars.language import OF_EACH_WORD, Language, language
+from grammars.vocabulary import BORN, Vocabulary
+
+TAUGHT = Vocabulary(BORN.born, {"zork": {"VERB": "zork"}, "blick": {"NOUN": "blick"}})
+
+
+@pytest.fixture(scope="module")
+def born() -> Language:
+    return language()
+
+
+def test_every_word_that_is_listened_for_is_likely(born: Language) -> None:
+    """A recogniser that learns from phrases hears no other words."""
+    likely = {word for said in (*born.typical, *born.likely) for word in said.split()}
+    assert not {word for word in born.listed.words - likely if "'" not in word}
+    assert len(likely) > 5_000
+
+
+def test_likely_sentences_are_the_same_every_time(born: Language) -> None:
+    assert language(Vocabulary(BORN.born)) == born
+
+
+@pytest.mark.parametrize("word", ["zork", "blick"])
+def test_a_taught_word_is_likely(born: Language, word: str) -> None:
+    likely = [said for said in language(TAUGHT).likely if word in said.split()]
+    assert len(likely) == OF_EACH_WORD
+    assert not any(word in said.split() for said in born.likely)
+    assert any(language(TAUGHT).reads(said) for said in likely)
+
+
+def test_more_is_read_than_is_listened_for(born: Language) -> None:
+    said = "could you polish the wooden table"
+    assert not born.lists(said)
+    assert born.reads(said)
+    assert kind(said) == "command"
+    assert born.lists("drive forward")
+    assert not born.reads("table the polish could")
+
+
+def test_a_taught_word_is_read(born: Language) -> None:
+    assert language(TAUGHT).reads("zork the wooden blick twice")
+    assert not born.reads("the wooden blick means zork it")
