@@ -28,8 +28,6 @@ NEVER: Final = 10**6
 """The cost of what has no end."""
 AROUND: Final = 2
 """Depth of the phrases around the rule that a sentence is drawn for."""
-COMMON: Final = 5
-"""How much oftener the words of words/heard.txt are drawn than others."""
 LONGEST: Final = 14
 """Words of a shape: longer ones show no pair of words that others do not."""
 
@@ -211,12 +209,12 @@ def _typical() -> Iterator[str]:
 
 @cache
 def words() -> Mapping[str, Sequence[str]]:
-    """The words of each category that can be said, those of words/heard.txt COMMON times."""
-    found = {category: list(common) * COMMON for category, common in spoken_words(BORN).items()}
+    """The words of each category that can be said; of what has no list of its own those of words/heard.txt."""
+    found = dict[str, list[str]]()
     for word, readings in sorted(BORN.born.items()):
         for category in readings:
             found.setdefault(category, []).append(word)
-    return found
+    return {**spoken_words(BORN), **found}
 
 
 def example_shapes() -> Iterator[tuple[Shape, Shape]]:

@@ -24,7 +24,7 @@ LIKE_EACH: Final = 100
 KEPT: Final = 0.25
 """Share of the words of an example that stay in sentences like it: "drive forward" is said oftener than other pairs."""
 OF_EACH_WORD: Final = 10
-"""Sentences with each word that was taught."""
+"""Sentences, at most, with each word that was taught and of those that are listened for."""
 
 
 @dataclass(frozen=True)
@@ -70,7 +70,7 @@ class Language:
 
 def language(vocabulary: Vocabulary = BORN) -> Language:
     """What may be said by someone who has taught these words."""
-    likely = (*_born(), *_with_taught(vocabulary))
+    likely = (*_born(), *_with_each(vocabulary.taught))
     return Language(automaton(vocabulary), drawn().typical, likely, vocabulary.taught)
 
 
@@ -80,21 +80,20 @@ def _born() -> tuple[str, ...]:
     like = (
         deal.said(shape, given, KEPT) for shape, given in found.examples for _ in range(LIKE_EACH)
     )
-    return (*like, *map(deal.said, found.rules))
+    common = {word: BORN.born[word] for word in sorted(automaton().words) if word in BORN.born}
+    return (*like, *map(deal.said, found.rules), *_with_each(common))
 
 
-def _with_taught(vocabulary: Vocabulary) -> Iterator[str]:
+def _with_each(lexicon: Mapping[str, Readings]) -> Iterator[str]:
+    """Examples with each of these words in the place of another of its category."""
     holding: dict[str, list[tuple[Shape, Shape]]] = {}
     for shape, given in drawn().examples:
         for category in set(shape):
             holding.setdefault(category, []).append((shape, given))
-    for word, readings in vocabulary.taught.items():
+    for word, readings in lexicon.items():
         for category in readings:
-            deal = Deal({category: [word]})
-            for shape, given in holding.get(category, [])[:OF_EACH_WORD]:
-                yield deal.said(
-                    tuple(
-                        part if part == category else old
-                        for part, old in zip(shape, given, strict=True)
-                    )
-                )
+            deal = Deal({**words(), category: (word,)})
+            examples = holding.get(category, [])
+            for shape, given in examples[:: 1 + len(examples) // OF_EACH_WORD]:
+                parts = zip(shape, given, strict=True)
+                yield deal.said(tuple(part if part == category else old for part, old in parts))
