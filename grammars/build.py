@@ -125,7 +125,7 @@ class Build(Things):
         said = tuple(part for part in every if part.name not in ("num", "each_person"))
         name = self.thing(AList("np", (*kind, *said)))
         self.sketch.change(name, ref="each")
-        self.each = self.sketch.graphlet(name, *self.finds.pop().names)
+        self.each = self.sketch.graphlet(name, *(term.name for term in self.finds.pop().terms))
         return name
 
     each: Graphlet | None = None

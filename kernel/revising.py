@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import replace
+from typing import Literal
 
 from kernel.action.chain import Chain, Directive
 from kernel.action.step import Run
@@ -46,6 +47,8 @@ def revise(commons: Commons, focus: Focus, revision: Revision) -> Run:
     edited = _edited(commons, revision)
     if edited is not None:
         return (yield from _edit(commons, focus, *edited))
+    if revision.later:
+        return _nothing(commons, "later")
     command = commons.recent.command
     if revision.chain.tagged("KEEP") and not revision.chain.tagged("DO"):
         if command is None:
@@ -62,8 +65,8 @@ def revise(commons: Commons, focus: Focus, revision: Revision) -> Run:
     return (yield from _instead(commons, focus, revision.chain))
 
 
-def _nothing(commons: Commons) -> Verdict:
-    commons.replies.append(NothingToDo("revise"))
+def _nothing(commons: Commons, what: Literal["revise", "later"] = "revise") -> Verdict:
+    commons.replies.append(NothingToDo(what))
     return Verdict.SUCCEEDED
 
 

@@ -34,8 +34,7 @@ when said again (`sayso export` writes it, `sayso teach` learns it); the second 
 DO, ANTE and the other words in capitals are the directives of [the mind](mind.md); [net.md](net.md) tells what a
 meaning is made of, and [forms.md](forms.md) how to add a form of sentence.
 
-"Heard" marks what the recognisers listen for with the words known at birth; the rest is typed, or heard once its words
-are taught.
+"Heard" marks what the recognisers listen for with the words known at birth; the rest is typed, or heard if it is clear.
 """
 
 
@@ -92,7 +91,8 @@ def _hearing(forms: Iterable[Form]) -> str:
     return (
         "The recognisers listen for a part of what can be typed: the less they listen for, the surer they are of what"
         "\nthey hear. It is sentences like the examples here, with other things, actions and words in their places, and"
-        "\nthose of `grammars/heard.lark`. Of each form's examples, they hear:\n\n"
+        "\nthose of `grammars/heard.lark`. Vosk hears other sentences too, with any plain word, where they are clear."
+        "\nOf each form's examples, they listen for:\n\n"
         f"{', '.join(counts)}.\n"
     )
 

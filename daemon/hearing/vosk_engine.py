@@ -34,6 +34,10 @@ LISTED = 5.0
 """Nats by which a sentence that is listened for is taken to be likelier than any other: without it "to shimmy" came out
 as "to show me" in a voice of three; and with 6 other sentences began to be taken for such ones."""
 
+DOUBT = 0.5
+"""Cost in nats of an "a": "grab the" came out as "grab a" in 3 of 230 sentences without it, and with 1.0 "a" as "the"
+in as many others."""
+
 MIDDLE, SPREAD = -0.8, 2.0
 """Margin over the best alternative that is no sentence, in nats, at which confidence is one half, and the change that
 makes it 0.73: 0.6, which is enough, where a sentence fits best. Of 183 pieces of chatter 14 were above it, each with
@@ -148,7 +152,10 @@ class VoskRecogniser:
         """The sentences among the best, by score; confidence from the margin over the best that is none."""
         assert self._language is not None
         listed = {text for text, _ in scored if self._language.lists(text)}
-        weighed = [(score + LISTED * (text in listed), text) for text, score in scored]
+        weighed = [
+            (score + LISTED * (text in listed) - DOUBT * text.split().count("a"), text)
+            for text, score in scored
+        ]
         best_other, sentences = -math.inf, list[tuple[float, str]]()
         for score, text in sorted(weighed, reverse=True)[:JUDGED]:
             if text and (text in listed or self.is_sentence(text)):

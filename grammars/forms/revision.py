@@ -67,7 +67,7 @@ def revision(alist: AList) -> Revision:
     if altered is not None:
         if (was := alist.find("was")) is not None and was.find("qual", "owner") is not None:
             raise NoMeaningError("another sort of part")
-        return Revision(_altered(build, altered))
+        return Revision(_altered(build, altered), later=alist.has("later"))
     replaced = _replaced(build, alist if beside is None else beside)
     chain = _new_steps(alist)
     if chain is not None:
@@ -81,7 +81,9 @@ def revision(alist: AList) -> Revision:
         with build.drawing(pattern=True):
             replaced, where = _at(build, "first"), "before"
     adding = alist.has("adding") and replaced is None and of is None
-    return Revision(steps, replaced, of, last=alist.has("at_end") or adding, beside=where)
+    last, later = alist.has("at_end") or adding, alist.has("later")
+    later = later and chain is not None and replaced is None and of is None and not last
+    return Revision(steps, replaced, of, last, where, later)
 
 
 def _alone(part: AList) -> AList:

@@ -74,7 +74,8 @@ def revision(meaning: Revision, voice: Voice) -> str:
     if (change := alteration(meaning.chain)) is not None:
         bare = next((t.literal for t in change if t.kind == "amt" and not t.lex), None)
         how = bare or deed(telling, change.main).removeprefix("do something ")
-        return f"make it {how.replace(OTHER_WAY, 'the other way')}"
+        how = how.replace(OTHER_WAY, "the other way")
+        return f"do it {how} next time" if meaning.later else f"make it {how}"
     if meaning.of is None and found and all(d.tag == "FIND" for d in meaning.chain.directives()):
         return f"I meant {thing(telling, found[-1].main)}"
     if meaning.chain.tagged("KEEP") and not meaning.chain.tagged("DO"):
@@ -100,5 +101,6 @@ def _correction(telling: Telling, meaning: Revision) -> str:
     if old is not None:
         return f"{no}{steps} instead of {step}"
     if meaning.of is None:
-        return f"add {steps} at the end" if meaning.last else f"no, {steps} instead"
+        when = "next time" if meaning.later else "instead"
+        return f"add {steps} at the end" if meaning.last else f"no, {steps} {when}"
     return f"{steps} {'at the end' if meaning.last else 'first'}"

@@ -13,6 +13,7 @@ _SENTENCES: Final = {
     "repeat": "there is nothing to repeat",
     "answer": "I did not ask anything",
     "motion": "I can't undo a motion. Tell me what to do instead",
+    "later": "nobody taught me that, so I can't change it for next time",
     "inborn": "I can't forget what my body can do",
 }
 

@@ -132,7 +132,7 @@ class Revision:
     """A correction of the last command or lesson.
 
     Do this (chain) instead of that (instead_of), or when doing that verb (of): first, or last; or beside that, which
-    stays: before or after it. A chain of nothing but KEEP is what is to be so meanwhile.
+    stays: before or after it. A chain of nothing but KEEP is what is to be so meanwhile. Later: not now, but next time.
     """
 
     chain: Chain
@@ -140,6 +140,7 @@ class Revision:
     of: Graphlet | None = None
     last: bool = False
     beside: Beside = ""
+    later: bool = False
 
 
 Meaning = (

@@ -69,10 +69,10 @@ def write_meaning(meaning: Meaning) -> tuple[str, ...]:
             return (act, *map(write, acts), *again)
         case Choice(described):
             return (write(described),)
-        case Revision(chain, instead_of, of, last, beside):
+        case Revision(chain, instead_of, of, last, beside, later):
             parts = [(beside or "instead of", instead_of), ("of", of)]
             said = tuple(f"{label}:\n{write(g)}" for label, g in parts if g)
-            return (write(chain), *said, *(("last",) * last))
+            return (write(chain), *said, *(("last",) * last), *(("later",) * later))
 
 
 def read(text: str) -> Content:

@@ -211,10 +211,11 @@ class TakenBack:
 class NothingToDo:
     """There is nothing to undo, revise, repeat or answer.
 
-    "motion": it was a motion, which cannot be undone; "inborn": a skill of the body's own, which cannot be forgotten.
+    "motion": it was a motion, which cannot be undone; "inborn": a skill of the body's own, which cannot be forgotten;
+    "later": no lesson says how it is to be done next time.
     """
 
-    what: Literal["undo", "revise", "repeat", "answer", "motion", "inborn"]
+    what: Literal["undo", "revise", "repeat", "answer", "motion", "inborn", "later"]
 
 
 @dataclass(frozen=True, slots=True)
