@@ -29,7 +29,8 @@ REPLACES: Final = {
     "or_last": (),
     "or_rest": (SUBJECT,),
 }
-MARKS: Final = frozenset((WHOLE, *REPLACES))
+ALSO: Final = "and_rest"  # what else the subject does: "if something is close and moves"
+MARKS: Final = frozenset((WHOLE, ALSO, *REPLACES))
 # What a lesson is to do or to conclude is one thing; there only what is waited for may be this or that.
 ONE: Final = frozenset(("chain", "play", "conclusion", "whether"))
 WATCHED: Final = frozenset(("until", "waiting"))
@@ -71,10 +72,21 @@ def _of_part(part: AList) -> list[tuple[AList, ...]]:
     you are not holding a cup or a mug"."""
     if part.name == "several":  # "never touch the cup and the mug"
         return [(action,) for action in one_each(part)]
+    if (also := part.find(ALSO)) is not None:
+        first = AList(part.name, tuple(inner for inner in part if inner is not also))
+        second = AList(part.name, (_again(part.parts[0]), *also.parts))
+        return [(*one, *more) for one in _of_part(first) for more in _of_part(second)]
     found = alternatives(part)
     if part.name == "clause" and _is_denied(part):
         return [tuple(found)]
     return [(one,) for one in found]
+
+
+def _again(subject: AList) -> AList:
+    """The subject once more."""
+    if subject.has("pron") or subject.has("name"):
+        return subject
+    return AList("np", (AList("pron", value="they"),))
 
 
 def _is_denied(clause: AList) -> bool:

@@ -22,11 +22,11 @@ from grammars.chains import (
 )
 from grammars.clauses import flat, names, put_nowhere, stated
 from grammars.errors import NoMeaningError
+from grammars.manners import SIZES, bounded, manner, not_too
 from grammars.mentions import (
     OWNING,
     SELF_OWN,
     Thing,
-    degree,
     is_addressed,
     is_person,
     is_time,
@@ -35,7 +35,6 @@ from grammars.mentions import (
 )
 from grammars.things import Things
 from grammars.usage import is_used, kind
-from grammars.vocabulary import BORN
 from kernel.action.chain import Chain, Directive, Play
 from kernel.memory.editing import OTHER_WAY
 from kernel.net.graphlet import Graphlet
@@ -47,17 +46,6 @@ UNQUOTED: Final = frozenset("it them that this at to from for along out".split()
 VOICES: Final = {"loud": "loudly", "quiet": "quietly"}
 STEP: Final = "step"
 LETTING_GO: Final = ("release", "drop")  # everything: all that it holds
-SIZES: Final = {
-    "all the way": "fully",
-    "completely": "fully",
-    "fully": "fully",
-    "a lot": "much",
-    "a whole lot": "much",
-    "halfway": "half",
-    "half way": "half",
-    "further": "more",
-    "some more": "more",
-}
 
 
 @dataclass
@@ -138,13 +126,18 @@ class Build(Things):
         for part in action:
             if part.name == "dir" and part.value not in (particle, taken):
                 self.add("dir", part.value or "", dir=act)
+            elif part.name == "not_too":
+                not_too(self, act, part)
             elif part.name == "manner":
-                self._manner(act, part)
+                manner(self, act, part)
             elif part.name == "amt":
                 number = part.slot("num", "1")
                 if part.has("more_half"):
                     number = f"{float(number) + 0.5:g}"
-                self.add("amt", part.slot("unit") or part.value or "", literal=number, amt=act)
+                amt = self.add(
+                    "amt", part.slot("unit") or part.value or "", literal=number, amt=act
+                )
+                bounded(self, amt, part)
             elif part.name == "cnt":
                 self.add("cnt", literal=count(part), cnt=act)
             elif part.name == "in_a_while":
@@ -176,19 +169,6 @@ class Build(Things):
             self.place("loc", act, loc)
         else:
             self.add("loc", place_word(loc), loc=act, wrt=self.every(every))
-
-    def _manner(self, act: str, manner: AList) -> None:
-        faster = manner.find("faster")
-        word = manner.slot("adv") or manner.value or ""
-        if faster is not None:
-            word = faster.slot("adv") or faster.value or ""
-            if "ADV" not in BORN.readings(word):  # "drive bigger"
-                raise NoMeaningError(str(manner))
-        mod = self.add("mod", word, mod=act)
-        if faster is not None:
-            self.add("deg", "more", deg=mod)
-        for deg in manner.all("deg"):
-            self.add("deg", degree(deg.value or ""), deg=mod)
 
     def _speech(self, speech: AList) -> str:
         verb = next(part.name for part in speech if part.name in ("say", "tell", "ask"))

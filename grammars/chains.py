@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from functools import cache
+from itertools import pairwise
 from typing import TYPE_CHECKING, Final, TypeVar
 
 from grammars.alist import AList
@@ -43,6 +44,8 @@ def is_odd(action: AList) -> bool:
     ways = [way.value or "" for way in action.all("dir")]
     amt = action.find("amt")
     if "in" in ways and amt is not None and amt.slot("unit") in TIMES:
+        return True
+    if any((one, other) == ("right", "away") for one, other in pairwise(ways)):
         return True
     of_place = [way for way in ways if "PREP" in BORN.readings(way)]
     before_thing = [part.name for part in action][1:3] == ["dir", "np"]

@@ -7,8 +7,10 @@ from typing import TYPE_CHECKING, Final
 from grammars.alist import AList
 from grammars.errors import NoMeaningError
 from grammars.hedges import preference
-from grammars.mentions import VERB_SLOTS, is_time
-from grammars.usage import AMBIENT, TIMES_OF_DAY, WAYS, is_abstract, is_kind_of_it, kind, usages
+from grammars.mentions import VERB_SLOTS
+from grammars.timing import by_time, it_is, tells_time, timed
+from grammars.usage import WAYS, is_abstract, is_kind_of_it, kind, usages
+from grammars.vocabulary import lines
 from kernel.action.chain import Directive
 from kernel.memory.contraries import EXCLUSIVE
 from kernel.memory.lesson import Operator
@@ -19,6 +21,8 @@ if TYPE_CHECKING:
 
 PAIRS: Final = tuple(group for group in EXCLUSIVE if len(group) == 2)
 TOOLS: Final = ("drill", "ropes", "score")
+SENSED: Final = ("see", "hear", "feel", "smell")
+GIVERS: Final = frozenset(word for line in lines("givers") for word in line.split())
 PUTTING: Final = ("put", "place", "lay", "set", "stack", "put down", "set down", "lay down")
 
 
@@ -43,7 +47,7 @@ def condition(build: Build, conds: AList) -> Graphlet:
 def stated(build: Build, conds: AList) -> Graphlet:
     """The same on the present board: what is definite is looked up where that is drawn no pattern."""
     if time := conds.slot("daypart"):
-        return build.graphlet(_it_is(build, time))
+        return build.graphlet(it_is(build, time))
     first, *more = flat(conds)
     mains = [clause(build, first, topical=True), *(clause(build, part) for part in more)]
     build.claims.update(mains)
@@ -67,6 +71,11 @@ def clause(build: Build, part: AList, subject: str = "", topical: bool = False) 
         act = build.act_or_any(ordered.find("action"))
         return told(build, ordered.first("np"), act)
     if (failing := part.find("failing")) is not None:
+        if (sensed := failing.find("action")) is not None and sensed.slot("act") in SENSED:
+            act = build.action(sensed)  # "you can not see anything"
+            build.sketch.link(act, "agt", build.oneself("you"))
+            build.sketch.change(act, negated=True)
+            return act
         act = build.act_or_any(failing.find("action"))
         return build.add("act", "fail", agt=build.oneself("you"), obj=act)
     if (all_so := part.find("all_so")) is not None:
@@ -126,17 +135,11 @@ def _subject(build: Build, np: AList, part: AList) -> str:
     kindof = None if pred is None else pred.find("kindof")
     if kindof is not None and not is_kind_of_it(np, kindof):
         raise NoMeaningError(str(part))
-    if np.slot("pron") == "it" and build.pattern and _tells_time(pred):
+    if np.slot("pron") == "it" and build.pattern and tells_time(pred):
         return build.add("obj", ref="it")
     if np.slot("pron") == "it" and names(part):
         return build.pronoun("they")
     return build.thing(np)
-
-
-def _tells_time(pred: AList | None) -> bool:
-    """ "It is night": of nothing in particular."""
-    qual = None if pred is None else pred.find("qual")
-    return qual is not None and (qual.value or qual.slot("hq")) in TIMES_OF_DAY | AMBIENT
 
 
 def _exists(build: Build, exists: AList) -> str:
@@ -190,15 +193,19 @@ def _doing(build: Build, part: AList, agent: str, objects: list[AList], negated:
         links["dest" if verb == "ask" else "obj"] = build.thing(objects[0])
     elif body.has("name"):
         links["obj"] = build.thing(body, person=False)
+    if (iobj := body.find("iobj")) is not None:
+        if verb not in GIVERS:
+            raise NoMeaningError(str(part))
+        links["dest"] = build.thing(iobj.first("np"), person=True)
     if (dest := body.find("dest")) is not None:
         if dest.has("every"):
             raise NoMeaningError(str(dest))
         links["dest"] = build.aside(dest.first("np"))
     act = build.add("act", verb, negated=negated or build.negative, **links)
-    rest, times = _timed(body) if build.pattern and not build.trigger else (body, [])
+    rest, times = timed(body) if build.pattern and not build.trigger else (body, [])
     build.modifiers(act, rest)
     for time in times:
-        _it_is(build, time)
+        it_is(build, time)
     if going is not None and body is part and objects:
         build.add(
             "act",
@@ -269,29 +276,6 @@ def around(build: Build, alist: AList, tag: str) -> Operator:
         unless=exception(build, alist),
         preference=preference(alist.slot("pref")),
     )
-
-
-def by_time(build: Build, action: AList) -> tuple[AList, tuple[Graphlet, ...]]:
-    """A deed without the time of day that it is done at, and that it is that time: "never sing at night"."""
-    rest, times = _timed(action)
-    found = []
-    for time in times:
-        with build.drawing(pattern=True):
-            found.append(build.graphlet(_it_is(build, time)))
-    return rest, tuple(found)
-
-
-def _timed(said: AList) -> tuple[AList, list[str]]:
-    """The same without times of day, and these."""
-    times = [part for part in said.all("place") if is_time(part.first("loc"))]
-    rest = tuple(part for part in said if part not in times)
-    words = [kind(part.first("loc").first("np")) for part in times]
-    return (AList(said.name, rest, said.value) if times else said), words
-
-
-def _it_is(build: Build, time: str) -> str:
-    """Node that says what time of day it is."""
-    return build.add("hq", time, hq=build.add("obj", ref="it"))
 
 
 def told(build: Build, speaker: AList, act: str) -> str:

@@ -174,7 +174,7 @@ def variants(found: list[Piece], vocabulary: Vocabulary) -> Iterator[list[Piece]
         found,
         once,
         repaired_by_speaker(once, vocabulary.readings),
-        without_chat(once),
+        without_repeats(without_chat(once)),
         _with_set_phrases(without_chat(once)),
     ):
         if variant and variant not in seen:

@@ -25,7 +25,14 @@ TOKEN = re.compile(
     re.VERBOSE,
 )
 SIGHS: Final = tuple((word,) for word in "ugh ouch ow wow aw argh phew gosh geez yikes".split())
-THINKING: Final = (("you", "know"), ("like",), ("basically",), ("i", "guess"), *SIGHS)
+THINKING: Final = (
+    ("you", "know"),
+    ("like",),
+    ("basically",),
+    ("i", "guess"),
+    ("i", "repeat"),
+    *SIGHS,
+)
 OPENERS: Final = frozenset("well so okay oh hey now and robot please alright".split())
 FILLERS: Final = frozenset("uh um er erm uhm hmm ah eh mm huh umm uhh uhhh ummm err hm".split())
 WHOLE = {

@@ -18,6 +18,7 @@ from grammars.usage import abstract_words
 
 Derive = Callable[[Sequence[Token], str], Any]
 
+NEVER_SAID: Final = frozenset(("whenever", "unless"))  # words that a quote hardly ever holds
 CONDITIONALS: Final = frozenset("if when whenever unless until while".split())
 # After these anything is a quote; "tell me", though, mostly asks for what the robot knows.
 LITERALLY: Final = frozenset("say saying tell telling ask asking".split())
@@ -46,7 +47,8 @@ def _is_too_short(before: Sequence[str], word: Leaf) -> bool:
 def _swallows(tokens: Sequence[Token], derive: Derive) -> bool:
     """It runs on over a condition: "say hi unless Mary is near" says no such thing."""
     return any(
-        token.piece.text in CONDITIONALS and _derives(tokens[at + 1 :], "conds", derive)
+        token.piece.text in NEVER_SAID
+        or (token.piece.text in CONDITIONALS and _derives(tokens[at + 1 :], "conds", derive))
         for at, token in enumerate(tokens[:-1])
         if at > 0
     )

@@ -52,6 +52,8 @@ def relative(build: Things, name: str, np: AList, rel: AList) -> None:
 
 def _seer(build: Things, seen: AList) -> str:
     """Who sees, has or likes the thing: "the ball you see", "the cup Mary has"."""
+    if (np := seen.find("np")) is not None:
+        return build.thing(np)
     if seen.has("name"):
         return build.thing(seen, person=True)
     return build.oneself("me" if seen.has("me") else "you")

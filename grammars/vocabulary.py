@@ -99,8 +99,9 @@ def _born() -> Lexicon:
     ):
         for word, _ in _entries(files_of):
             add(lexicon, word)
-    for word, _ in _entries("adjectives"):
+    for word, lemma in _entries("adjectives"):
         _adjective(lexicon, word)
+        lexicon[word]["ADJ"] = lemma
     for category, name in (
         ("DIR", "directions"),
         ("ADV", "manners"),

@@ -42,8 +42,9 @@ def alias(alist: AList) -> Teach:
     if _lemma(said) == _lemma(meant):
         raise NoMeaningError("a word that means itself")
     node = f"{_node(said, meant)}-1"
+    moving = " " in meant and "DIR" in BORN.readings(meant.rpartition(" ")[2])
     meant, way = particles().get(meant, (meant, ""))
-    if way or (old.has("dir") and meant not in particles()):
+    if way or (moving and meant not in particles()):
         raise NoMeaningError("more than a word")
     return Teach("alias", Rule(_word(node, _lemma(said)), _word(node, _lemma(meant))))
 

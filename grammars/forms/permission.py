@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from grammars.alist import AList
 from grammars.build import Build
-from grammars.clauses import by_time, enablement, exception, settled
+from grammars.clauses import enablement, exception, settled
 from grammars.registry import sentence_form
+from grammars.timing import by_time
 from kernel.action.chain import Chain, Directive
 from kernel.memory.lesson import Operator
 from kernel.memory.meaning import Teach

@@ -53,13 +53,20 @@ def rule(alist: AList) -> Teach:
     if generic is not None and _same_said(condition_, then):
         raise NoMeaningError("what is done is done")
     described = condition_.names
-    if {n for n in then.mentioned if n.startswith("obj")}.isdisjoint(condition_.mentioned):
+    anybody = conclusion is not None and _is_anybody(conclusion.first("np", "base_np"))
+    about = {n for n in then.mentioned if n.startswith("obj")}
+    if not anybody and about.isdisjoint(condition_.mentioned):
         raise NoMeaningError("the conclusion is about something else")
     then = Graphlet(tuple(term for term in then if term.name not in described), then.main)
     hedges = [part.slot("hedge") for part in (alist, generic, said) if part is not None]
     hedge = next(filter(None, hedges), said.slot("may") and "may")
     rule_ = Rule(condition_, then, exception(build, alist), belief(hedge))
     return Teach("rule", rule_)
+
+
+def _is_anybody(np: AList) -> bool:
+    """ "Somebody is cooking" may follow from what is about no person."""
+    return np.has("vague") or (np.slot("det") == "a" and np.slot("ako") == "person")
 
 
 def _is_small_talk(condition_: Graphlet, then: Graphlet) -> bool:

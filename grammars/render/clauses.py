@@ -56,7 +56,8 @@ def conditions(telling: Telling, graphlet: Graphlet, hedge: str = "") -> str:
         graphlet: its predicates are told, each once.
         hedge: adverb of belief to put into the first clause.
     """
-    predicates = [term for term in graphlet if is_predicate(term)]
+    inner = {other for term in graphlet for role, other in term.links if role in ("obj", "cmd")}
+    predicates = [term for term in graphlet if is_predicate(term) and term.name not in inner]
     telling.release(predicates)
     main = graphlet.head
     told = []

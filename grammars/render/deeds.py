@@ -113,18 +113,21 @@ def _modifiers(telling: Telling, term: Term) -> list[str]:
         _COUNTS.get(count.literal or "", f"{count.literal} times")
         for count in telling.take(name, "cnt")
     ]
-    return [part for part in (*places, *measures, *degrees, *manners, *counts) if part]
+    # "a little quickly" would be little of the quickness
+    how = (*manners, *degrees) if manners else degrees
+    return [part for part in (*places, *measures, *how, *counts) if part]
 
 
 def amounts(telling: Telling, name: str, verb: str = "wait") -> list[str]:
     """How far or how long: "10 inches", "for 2 seconds" where the verb is none of waiting."""
-    return [_amount(amount, verb) for amount in telling.take(name, "amt")]
+    return [_amount(telling, amount, verb) for amount in telling.take(name, "amt")]
 
 
-def _amount(term: Term, verb: str) -> str:
+def _amount(telling: Telling, term: Term, verb: str) -> str:
     unit = word(term)
+    bound = degree(telling, term.name)
     number = term.literal or "1"
     if not unit and verb == "count":
         return f"to {number}"
     lasting = unit in TIMES and verb not in _WAITING
-    return f"{'for ' if lasting else ''}{number} {unit if number == '1' else plural(unit)}"
+    return f"{'for ' if lasting else ''}{bound}{number} {unit if number == '1' else plural(unit)}"

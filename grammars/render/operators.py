@@ -146,7 +146,7 @@ def _goal(telling: Telling, content: Operator) -> tuple[str, str]:
     trigger = content.trigger.graphlet
     phrase = word(telling.term(_main(content)))
     known = BORN.knows(phrase) and "VERB" not in BORN.readings(phrase)
-    own = known or " " in phrase
+    own = (known or " " in phrase) and not phrase.startswith("be ")
     if trigger and len(trigger.terms) == 1 and own and phrase not in particles():
         return f"when {pronoun(telling, 'me', 'subject')} say", literally(phrase)
     return "to", deed(telling, _main(content))

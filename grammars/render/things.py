@@ -166,7 +166,8 @@ def _doings(telling: Telling, name: str) -> list[Term]:
     found = [
         term
         for term in telling.about(name, "obj")
-        if telling.term(linked(term, "agt")).lex and not telling.is_main(term.name)
+        if linked(term, "agt") and not telling.is_main(term.name)
+        if telling.term(linked(term, "agt")).lex or telling.is_main(name)
     ]
     telling.hold_back(found)
     return found

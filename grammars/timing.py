@@ -1,0 +1,42 @@
+"""Times of day: when a lesson is in force, which is a condition of its own."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from grammars.alist import AList
+from grammars.mentions import is_time
+from grammars.usage import AMBIENT, TIMES_OF_DAY, kind
+from kernel.net.graphlet import Graphlet
+
+if TYPE_CHECKING:
+    from grammars.things import Things
+
+
+def tells_time(pred: AList | None) -> bool:
+    """ "It is night": of nothing in particular."""
+    qual = None if pred is None else pred.find("qual")
+    return qual is not None and (qual.value or qual.slot("hq")) in TIMES_OF_DAY | AMBIENT
+
+
+def by_time(build: Things, action: AList) -> tuple[AList, tuple[Graphlet, ...]]:
+    """A deed without the time of day that it is done at, and that it is that time: "never sing at night"."""
+    rest, times = timed(action)
+    found = []
+    for time in times:
+        with build.drawing(pattern=True):
+            found.append(build.graphlet(it_is(build, time)))
+    return rest, tuple(found)
+
+
+def timed(said: AList) -> tuple[AList, list[str]]:
+    """The same without times of day, and these."""
+    times = [part for part in said.all("place") if is_time(part.first("loc"))]
+    rest = tuple(part for part in said if part not in times)
+    words = [kind(part.first("loc").first("np")) for part in times]
+    return (AList(said.name, rest, said.value) if times else said), words
+
+
+def it_is(build: Things, time: str) -> str:
+    """Node that says what time of day it is."""
+    return build.add("hq", time, hq=build.add("obj", ref="it"))
