@@ -218,9 +218,10 @@ def _sought(play: Play) -> Graphlet | None:
 
 def count(cnt: AList) -> str:
     """How many times, in digits."""
-    if cnt.has("twice"):
-        return "2"
-    return cnt.slot("num") or {"once": "1", "twice": "2"}.get(cnt.value or "", cnt.value or "1")
+    for name, times in (("twice", "2"), ("thrice", "3")):
+        if cnt.has(name) or cnt.value == name:
+            return times
+    return cnt.slot("num", "1")
 
 
 def bare_chain(bare: AList) -> AList:
