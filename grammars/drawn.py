@@ -47,7 +47,8 @@ class Draw:
             if rule.origin not in set_categories():
                 self._ways.setdefault(rule.origin, []).append(rule.symbols)
         self._forms = {form.name: form for form in discover().values() if not form.expected}
-        self._cost = self._costs()
+        self._cost: dict[str, int] = {}
+        self._find_costs()
         self._inside = self._contexts()
 
     def of(self, symbol: str, budget: int) -> Iterator[str]:
@@ -96,9 +97,8 @@ class Draw:
             return self._cost.get(symbol, NEVER)
         return 0 if symbol.startswith('"') or symbol in self._known else NEVER
 
-    def _costs(self) -> dict[str, int]:
+    def _find_costs(self) -> None:
         """The least depth of a derivation of each rule."""
-        self._cost = {}
         changed = True
         while changed:
             changed = False
@@ -106,7 +106,6 @@ class Draw:
                 least = min(map(self._deep, ways))
                 if least < self._cost.get(origin, NEVER):
                     self._cost[origin], changed = least, True
-        return self._cost
 
     def _contexts(self) -> dict[str, tuple[str, Shape, int]]:
         """For each rule the one it stands in, its other symbols and its place, on the shortest way from a form."""

@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 STOP_WORDS = frozenset({"stop", "halt", "freeze"})
-STEADY = 20
-"""So many hypotheses in a row (0.4 s) must be just the stop word, or one when the voice has paused: the first syllable
-of another word comes and goes ("stock prices" looks like "stop" for 0.2 s). In noise no pause may show."""
+STEADY = 30
+"""So many hypotheses in a row (0.6 s) must be just the stop word, or one when the voice has paused: the first syllable
+of another word comes and goes ("stock prices" looks like "stop" for half a second where few words are known). In noise
+no pause may show."""
 
 
 class StopSpotter:
