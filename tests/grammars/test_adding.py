@@ -23,7 +23,7 @@ LARK, BUILDER = re.findall(
 SAID = "i dare you to turn left"
 SPEECH = ROOT / "tests/audio/hearing/flite-slt/i-dare-you-to-turn-left.wav"
 
-pytestmark = pytest.mark.timeout(120)  # the fixture compiles a grammar
+pytestmark = [pytest.mark.long, pytest.mark.timeout(180)]  # the fixture compiles a grammar
 
 
 @pytest.fixture(scope="module")
@@ -46,7 +46,7 @@ def python(folder: Path, *arguments: str) -> str:
         cwd=folder,
         capture_output=True,
         text=True,
-        timeout=100,
+        timeout=160,
     )
     assert result.returncode == 0, result.stdout + result.stderr
     return result.stdout
