@@ -18,9 +18,8 @@ from grammars import morphology
 from grammars.automaton import Automaton, sample
 from grammars.chatter import is_chatter
 from grammars.earley import grammar, written_words
-from grammars.errors import NotUnderstoodError
 from grammars.finite_state import Compiler, Rule, expand
-from grammars.parse import parse
+from grammars.parse import parse, understood
 from grammars.ranking import Leaf, Tree
 from grammars.registry import Form, discover
 from grammars.source import digest, grammar_text, kept
@@ -216,10 +215,8 @@ def _first_word(node: Tree | Leaf) -> str:
 
 def kind(sentence: str) -> str:
     """The kind of a sentence; empty if it is none."""
-    try:
-        return parse(sentence).kind
-    except NotUnderstoodError:
-        return ""
+    meant = understood(sentence)
+    return "" if meant is None else meant.kind
 
 
 def derivations(tree: Tree, form: str) -> Iterator[Tree]:

@@ -14,9 +14,8 @@ from typing import Final
 
 from grammars.automaton import Automaton
 from grammars.drawn import Deal, Shape, drawn, words
-from grammars.errors import NotUnderstoodError
 from grammars.heard import automaton
-from grammars.parse import parse
+from grammars.parse import understood
 from grammars.vocabulary import BORN, Readings, Vocabulary
 
 LIKE_EACH: Final = 100
@@ -60,12 +59,11 @@ class Language:
 
     def reads(self, text: str) -> bool:
         """Whether this is any sentence at all: some 5 ms."""
-        if self.lists(text):
-            return True
-        try:
-            return bool(parse(text, Vocabulary(BORN.born, self.taught)))
-        except NotUnderstoodError:
-            return False
+        return self.lists(text) or understood(text, self._vocabulary) is not None
+
+    @cached_property
+    def _vocabulary(self) -> Vocabulary:
+        return Vocabulary(BORN.born, self.taught)
 
 
 def language(vocabulary: Vocabulary = BORN) -> Language:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import replace
 from functools import partial
 from itertools import chain
@@ -13,7 +14,7 @@ from grammars.earley import grammar
 from grammars.errors import NotUnderstoodError
 from grammars.lattice import Lexer, variants
 from grammars.nearest import nearest_sentence
-from grammars.normalise import pieces
+from grammars.normalise import Piece, pieces
 from grammars.reading import Attempts, Parsed, Reader
 from grammars.suggesting import Words, rather, respelt
 from grammars.vocabulary import BORN, Vocabulary, with_verb
@@ -37,11 +38,7 @@ def parse(
     Raises:
         NotUnderstoodError: it means nothing in this language, or is no text.
     """
-    if not isinstance(text, str) or not text.isprintable() or len(text) > MOST_LETTERS:
-        raise NotUnderstoodError(str(text)[:MOST_LETTERS])
-    found = pieces(text)
-    if not found or len(found) > MOST_WORDS or is_chatter(tuple(p.text for p in found)):
-        raise NotUnderstoodError(text)
+    found = _pieces(text)
     lexer = Lexer(vocabulary, grammar().literal)
     if isinstance(expecting, AskWord):
         if (meant := _of_word(text, vocabulary, expecting)) is not None:
@@ -53,7 +50,7 @@ def parse(
                 return reading
     attempts = Attempts(grammar().forest)
     reader = Reader(text, lexer, attempts, grammar().cost)
-    strange = [at for at, piece in enumerate(found) if reader.lexer.strange(piece)]
+    strange = _strange(reader, found)
     for reading in reader.readings(found, strange):
         return reading
     unknown = tuple(dict.fromkeys(found[at].text for at in strange))
@@ -66,6 +63,36 @@ def parse(
     elif near is None:
         near = rather(text, found, reader.reached, words, works) or nearest_sentence(text)
     raise NotUnderstoodError(text, reader.understood(found), near, unknown, asking)
+
+
+def understood(text: str, vocabulary: Vocabulary = BORN) -> Parsed | None:
+    """What a sentence means, or None: without what `parse` finds out about one that means nothing, which takes most."""
+    try:
+        found = _pieces(text)
+    except NotUnderstoodError:
+        return None
+    lexer = Lexer(vocabulary, grammar().literal)
+    reader = Reader(text, lexer, Attempts(grammar().forest), grammar().cost)
+    return next(iter(reader.readings(found, _strange(reader, found))), None)
+
+
+def _pieces(text: str) -> list[Piece]:
+    """The words of what may be a sentence.
+
+    Raises:
+        NotUnderstoodError: it is none, whatever the words are.
+    """
+    if not isinstance(text, str) or not text.isprintable() or len(text) > MOST_LETTERS:
+        raise NotUnderstoodError(str(text)[:MOST_LETTERS])
+    found = pieces(text)
+    if not found or len(found) > MOST_WORDS or is_chatter(tuple(p.text for p in found)):
+        raise NotUnderstoodError(text)
+    return found
+
+
+def _strange(reader: Reader, found: Sequence[Piece]) -> list[int]:
+    """Places of the words that nobody taught."""
+    return [at for at, piece in enumerate(found) if reader.lexer.strange(piece)]
 
 
 def _works(text: str, vocabulary: Vocabulary, attempts: Attempts) -> bool:

@@ -228,7 +228,7 @@ class Listener:
             return
         times = (utterance.began_s, utterance.spoken_s, self.now_s)
         best = found[0].text if found else utterance.text
-        whole = self._engine.is_sentence(best)
+        whole = utterance.whole if best == utterance.text else self._engine.is_sentence(best)
         if not cut and endpoint.is_unfinished(best, whole, self._language):
             utterance.text = best
             self._unfinished = utterance

@@ -80,9 +80,7 @@ EXAMPLES = (
 @sentence_form("question", "question", EXAMPLES)
 def question(alist: AList) -> Question:
     """The question; everything described is in the one net it is about."""
-    body = next(part for part in alist if part.name != "good")  # "good robot, and ..."
-    while body.name == "question":
-        body = next(part for part in body if part.name != "good")
+    body = alist.parts[0]
     build = Build()
     with build.drawing(pattern=True):
         asked = SO[body.name](build, body) if body.name in SO else of_topic(build, body)
