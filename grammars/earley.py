@@ -88,21 +88,26 @@ class _Earley(earley.Parser):
         } - self.TERMINALS
         self.term_matcher = lambda terminal, token: terminal.name in token.readings
         self.lexer_conf: Any = _NoLexer()
+        self.goes_on = predictions.goes_on
         self.waiting: list[dict[Any, list[Any]]] = []
 
     def predict_and_complete(
         self, i: int, to_scan: Any, columns: Any, transitives: Any, node_cache: dict[Any, Any]
     ) -> None:
-        """As lark does it, for a grammar without empty rules: a symbol is predicted once a column, and what a completed
-        one was waited for by is looked up."""
+        """As lark does it, for a grammar without empty rules: a symbol is predicted once a column, what a completed one
+        was waited for by is looked up, and what the next word cannot go on is dropped at once."""
         if i == 0:
             self.waiting.clear()
         column = columns[i]
-        items, predicted = list(column), set()
+        items = [item for item in column if item.is_complete or self.goes_on(item.expect)]
+        predicted = set()
         while items:
             item = items.pop()
             if item.is_complete:
                 for waiting in self.waiting[item.start].get(item.s, ()):
+                    following = waiting.rule.expansion[waiting.ptr + 1 : waiting.ptr + 2]
+                    if following and not self.goes_on(following[0]):
+                        continue
                     new = waiting.advance()
                     label = (new.s, waiting.start, i)
                     node = node_cache.get(label)
@@ -159,6 +164,10 @@ class Grammar:
             found = [r for r in self.by_origin[symbol.name] if self.first[id(r)] & self.lookahead]
             self.predicted[key] = found
         return found
+
+    def goes_on(self, symbol: Any) -> bool:
+        """Whether the next word can be the first of the symbol."""
+        return symbol.name in self.lookahead if symbol.is_term else bool(self[symbol])
 
     def _first_sets(self) -> dict[int, frozenset[str]]:
         """Terminals each rule can start with. No rule of the grammar is empty."""
