@@ -167,8 +167,6 @@ def _state(build: Build, asks: AList, who: str) -> str:
         if (mark := topmost.find("np")) is not None:
             build.add("loc", "to", loc=hq, wrt=build.aside(mark))
         return hq
-    if here := asks.slot("hereabouts"):
-        return build.add("loc", here, loc=who)
     if (complement := asks.find("complement")) is not None:  # "afraid of cats", "tired of turning"
         hq = build.quality(who, complement)
         doing = complement.find("gerunding")

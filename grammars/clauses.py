@@ -150,6 +150,8 @@ def _exists(build: Build, exists: AList) -> str:
         build.add("cnt", literal=counted.slot("num"), cnt=name)
     else:
         name = build.thing(exists.first("np"))
+    if here := exists.slot("hereabouts"):
+        build.add("loc", here, loc=name)
     negated = build.negative or exists.has("neg")
     said = [build.sketch.terms[n] for n in build.board[before:] if build.sketch.terms[n].links]
     for role in ("loc", "hq", "ako") if negated else ("hq", "loc", "ako"):

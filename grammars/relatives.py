@@ -6,7 +6,9 @@ from typing import TYPE_CHECKING, Final
 
 from grammars.alist import AList
 from grammars.errors import NoMeaningError
-from grammars.mentions import SELF, VERB_SLOTS, is_time
+from grammars.chains import particles
+from grammars.clauses import PUTTING
+from grammars.mentions import PLACES, VERB_SLOTS, is_time
 from grammars.usage import is_kind_of_it
 
 if TYPE_CHECKING:
@@ -39,24 +41,48 @@ def relative(build: Things, name: str, np: AList, rel: AList) -> None:
     elif any(rel.has(part) for part in ("going", "has_it", "habit", "habit_s")):
         _doing(build, name, rel)
     elif (seen := rel.find("seen_by")) is not None:
-        verb = seen.slot("states") or seen.slot("state")
-        links = {"agt": _seer(build, seen), "obj": name}
-        if receiver := seen.slot("pron"):
-            links["dest"] = build.oneself(SELF[receiver])
-        build.add("act", verb, **links)
+        _seen(build, name, seen)
     elif rel.has("gerund"):
         build.add("act", rel.slot("gerund"), agt=build.oneself("you"), obj=name)
     else:
         raise NoMeaningError(str(rel))
 
 
-def _seer(build: Things, seen: AList) -> str:
+def _seen(build: Things, name: str, seen: AList) -> None:
+    """What is said by a clause that misses the thing: "the cup Mary gave me", "the chair Tom sat on"."""
+    agent, strand = _seer(build, seen.first("seer")), seen.slot("left_over")
+    verb = next(filter(None, map(seen.slot, VERB_SLOTS)), "")
+    way = f"{verb} {strand or seen.slot('dir')}"
+    if not verb:  # "the box the cat is in"
+        build.add("loc", PLACES.get(strand, strand), loc=agent, wrt=name)
+        return
+    if way in particles():
+        verb, way = particles()[way]
+        strand = ""
+    elif seen.has("dir"):
+        raise NoMeaningError(str(seen))
+    if verb in PUTTING and not (seen.has("place") or strand):  # "the cup I put on the bed"
+        raise NoMeaningError(str(seen))
+    links = {"agt": agent}
+    if (obj := seen.find("np")) is not None:
+        links["obj"] = build.thing(obj)
+    elif not strand:
+        links["obj"] = name
+    if (receiver := seen.find("receiver")) is not None:
+        links["dest"] = build.thing(receiver, person=True)
+    act = build.add("act", verb, negated=seen.has("neg"), **links)
+    if strand:
+        build.add("loc", PLACES.get(strand, strand), loc=act, wrt=name)
+    build.modifiers(act, AList("seen_by", tuple(seen.all("place"))))
+
+
+def _seer(build: Things, seer: AList) -> str:
     """Who sees, has or likes the thing: "the ball you see", "the cup Mary has"."""
-    if (np := seen.find("np")) is not None:
+    if (np := seer.find("np")) is not None:
         return build.thing(np)
-    if seen.has("name"):
-        return build.thing(seen, person=True)
-    return build.oneself("me" if seen.has("me") else "you")
+    if seer.has("name"):
+        return build.thing(seer, person=True)
+    return build.oneself("me" if seer.has("me") else "you")
 
 
 def _doing(build: Things, name: str, rel: AList) -> None:

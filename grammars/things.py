@@ -13,6 +13,7 @@ from dataclasses import dataclass, field
 from typing import Any, Final
 
 from grammars.alist import AList
+from grammars.comparing import comparison
 from grammars.errors import NoMeaningError
 from grammars.mentions import (
     ALIKE,
@@ -36,8 +37,6 @@ from grammars.usage import agrees
 from grammars.vocabulary import BORN
 from kernel.memory.recall import PERSONS
 from kernel.net.graphlet import Graphlet, Sketch, Term
-
-MUCH: Final = {"a bit": "little", "a little": "little", "slightly": "little", "even": "even"}
 
 
 @dataclass
@@ -251,15 +250,7 @@ class Things:
         if (side := pred.find("side")) is not None:
             return self.add("loc", side.slot("dir") or side.value or "", loc=name, negated=negated)
         if (compared := pred.find("compared")) is not None:
-            word = compared.slot("adjer") or compared.slot("hq")
-            other = self.aside(compared.first("np"))
-            if (alike := compared.find("alike")) is not None:
-                roles = {"hq": name, "as": other}
-                return self.add("hq", alike.slot("hq"), negated=negated, **roles)
-            hq = self.add("hq", word, hq=name, than=other, negated=negated)
-            for deg in compared.all("deg"):  # "much heavier than that"
-                self.add("deg", MUCH.get(deg.value or "", "much"), deg=hq)
-            return hq
+            return comparison(self, name, compared, negated)
         if (called := pred.find("isname")) is not None:
             if self.sketch.terms[name].lex & {"you", "me"}:  # "if you are idle"
                 return self.add("hq", called.slot("name"), hq=name, negated=negated)
@@ -269,6 +260,8 @@ class Things:
                 raise NoMeaningError(str(pred))
             self.sketch.change(name, lex=frozenset((called.slot("name"),)))
             return self.put(name)
+        if here := pred.slot("hereabouts"):
+            return self.add("loc", here, loc=name, negated=negated)
         if pred.has("here"):
             return self.add(
                 "loc", "in front of", loc=name, wrt=self.oneself("you"), negated=negated
@@ -284,8 +277,8 @@ class Things:
         if not kind:
             raise NoMeaningError(str(kindof))
         node = self.kind(name, kind, compounded(kindof), negated)
-        if (loc := kindof.find("loc")) is not None:
-            self.place("loc", name, loc)
+        for rel in kindof.all("rel"):
+            relative(self, name, kindof, rel)
         if (of := kindof.find("np")) is not None:
             self.add("own", own=name, of=self.thing(of, person=True))
         self.possessed(name, kindof)

@@ -39,6 +39,13 @@ TOPICS: Final[dict[str, tuple[Ask, str]]] = {
     "would": ("what", "would"),
 }
 DEEDS: Final = ("action", "gerunding", "did_it", "said_it")
+MEASURED: Final = ("how", "howmany", "when", "where")  # what may be so about
+NEARLY: Final = ("roughly", "approximately", "about", "around")
+
+
+def may_be_about(ask: Ask, how: str) -> bool:
+    """ "Roughly how many", "exactly what": whether it may be asked so."""
+    return ask in MEASURED or (how not in NEARLY and ask != "yesno")
 
 
 def of_topic(build: Build, body: AList) -> Question:

@@ -222,6 +222,8 @@ def adverbial(build: Build, body: AList) -> Question:
 
 def _where(build: Build, so: Said) -> Question:
     """Where something was put is where it is now."""
+    if build.sketch.terms[so.main].kind == "loc":  # "where is the cup on the table": which cup
+        raise NoMeaningError("where is it there")
     topic = _topic(build, so)
     if topic == "doing":
         return Question("where", build.graphlet(so.main), "", topic)

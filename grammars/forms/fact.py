@@ -7,7 +7,7 @@ from typing import Final
 from grammars.alist import AList
 from grammars.build import Build, NoMeaningError
 from grammars.clauses import clause
-from grammars.mentions import OWNING, is_definite, is_person, may_be_person
+from grammars.mentions import OWNING, is_definite, is_person, is_time, may_be_person
 from grammars.registry import sentence_form
 from grammars.usage import is_abstract
 from grammars.vocabulary import BORN
@@ -35,6 +35,7 @@ STATIVE: Final = frozenset(
 )
 PARTS: Final = "end start beginning point way case thing last limit".split()
 PAST: Final = "past"  # it was done, and is no habit
+STANDING: Final = ("stand", "lie", "sit", "hang", "lean", "rest", "live", "wait", "sleep", "float")
 IT: Final = ("it", "that", "this")
 LONGEST_QUOTE: Final = 6  # words somebody is told to have said; at more length it is gossip
 
@@ -64,6 +65,8 @@ def fact(alist: AList) -> Fact:
         if pointed_out.first("pred").first("kindof").slot("ako") in PARTS:
             raise NoMeaningError("this is the end")
         alist = AList(alist.name, (AList("clause", pointed_out.parts),))
+    if (placed := alist.find("placed")) is not None:
+        alist = AList(alist.name, (_placed(placed),))
     said = alist.first("clause")
     _check_subject(said)
     _check_absence(said)
@@ -71,6 +74,30 @@ def fact(alist: AList) -> Fact:
         main = clause(build, said)
         told = build.graphlet(main)
     return Fact(told, tuple(build.finds))
+
+
+def _placed(placed: AList) -> AList:
+    """ "On the shelf stands a vase" is "there is a vase on the shelf", and "on it is the vase" is "the vase is on it"."""
+    stands = placed.find("stands")
+    if stands is not None and stands.value not in STANDING:
+        raise NoMeaningError(str(placed))
+    place = placed.find("loc")
+    if place is not None and any(map(is_abstract, place.all("np"))):
+        raise NoMeaningError("in a mood")
+    if (counted := placed.find("counted")) is not None:
+        there = AList("counted", (*counted.parts, AList("rel", (placed.first("loc"),))))
+        return AList("clause", (AList("exists", (there,)),))
+    thing = placed.first("np")
+    if place is None or is_time(place):
+        if place is not None or not thing.all("rel"):
+            raise NoMeaningError(str(placed))
+        return AList("clause", (AList("exists", (thing,)),))
+    if is_definite(thing):
+        return AList("clause", (thing, AList("pred", (place,))))
+    if thing.slot("det") not in ("a", "an", "some", "another", "no") and not thing.has("vague"):
+        raise NoMeaningError(str(placed))
+    there = AList("np", (*thing.parts, AList("rel", (place,))))
+    return AList("clause", (AList("exists", (there,)),))
 
 
 def _past_deed(build: Build, deed: AList) -> Fact:

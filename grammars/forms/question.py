@@ -13,7 +13,7 @@ from grammars.clauses import clause
 from grammars.mentions import compounded
 from grammars.occasions import either_so, occasional, on_occasion
 from grammars.registry import sentence_form
-from grammars.topics import of_topic
+from grammars.topics import may_be_about, of_topic
 from grammars.wanted import (
     ASKS,
     adverbial,
@@ -80,10 +80,13 @@ EXAMPLES = (
 @sentence_form("question", "question", EXAMPLES)
 def question(alist: AList) -> Question:
     """The question; everything described is in the one net it is about."""
-    body = alist.parts[0]
+    roughly = alist.slot("roughly")
+    body = alist.parts[1 if roughly else 0]
     build = Build()
     with build.drawing(pattern=True):
         asked = SO[body.name](build, body) if body.name in SO else of_topic(build, body)
+        if roughly and not may_be_about(asked.ask, roughly):
+            raise NoMeaningError(roughly)
         if (occasion := alist.find("occasion")) is not None:
             return replace(asked, about=on_occasion(build, asked.about, body, occasion))
         return asked

@@ -7,12 +7,13 @@ from dataclasses import dataclass
 from typing import Final
 
 from grammars.earley import closed_words
-from grammars.mentions import WOMEN
+from grammars.mentions import NOBODY, WOMEN
 from grammars.morphology import article, comparative, gerund, past, third_person
 from grammars.render.deeds import be, deed
 from grammars.render.telling import SAYING, Telling, is_predicate, linked, word
 from grammars.render.things import (
     PRONOUNS,
+    alike,
     degree,
     description,
     kind,
@@ -94,7 +95,7 @@ def clause(telling: Telling, term: Term, hedge: str, others: Iterable[Term] = ()
         rest = " and ".join([rest, *(_COMPLEMENTS[role](telling, other) for other in also)])
         telling.hold_back(also)
     telling.release(waiting)
-    denied = "not " if term.negated and subject not in ("nothing", "nobody") else ""
+    denied = "not " if term.negated and subject not in NOBODY else ""
     verb = be(subject)
     return Clause(subject, verb, f"{verb} {denied}{adverb}{rest}", f"{denied}{adverb}{rest}")
 
@@ -115,7 +116,7 @@ def _describes(graphlet: Graphlet, name: str) -> bool:
 
 def _doing(telling: Telling, term: Term, adverb: str) -> Clause:
     agent = linked(term, "agt")
-    subject = thing(telling, agent, "subject") if agent else "something"
+    subject = _subject(telling, agent, term.negated) if agent else "something"
     if subject == "they":  # rules want the singular verb: "he likely speaks Portuguese"
         subject = "she" if telling.term(agent).lex & WOMEN else "he"
     tense = [mod for mod in telling.about(term.name, "mod") if word(mod) == "past"]
@@ -123,10 +124,10 @@ def _doing(telling: Telling, term: Term, adverb: str) -> Clause:
     done = deed(telling, term.name, told=True)
     third = be(subject) == "is"
     if not _is_known(word(term)):  # one that nobody taught is known by its "-ing" only
-        rest = f"{'not ' if term.negated else ''}{adverb}{gerund(done)}"
+        rest = f"{'not ' if term.negated and subject not in NOBODY else ''}{adverb}{gerund(done)}"
         return Clause(subject, be(subject), f"{be(subject)} {rest}", rest)
     verb = "did" if tense else "does" if third else "do"
-    if term.negated:
+    if term.negated and subject not in NOBODY:
         return Clause(subject, verb, f"{adverb}{verb} not {done}", f"{adverb}not {done}")
     stated = past(done) if tense or "teach" in term.lex else third_person(done) if third else done
     return Clause(subject, verb, adverb + stated, adverb + done)
@@ -220,8 +221,8 @@ def _as_quality(telling: Telling, term: Term) -> str:
     other = linked(term, "than")
     if other:
         return f"{degree(telling, term.name)}{comparative(word(term))} than {thing(telling, other)}"
-    if alike := linked(term, "as"):
-        return f"as {word(term)} as {thing(telling, alike)}"
+    if linked(term, "as"):
+        return alike(telling, term)
     regards = [place(telling, about) for about in telling.take(term.name, "loc")]
     return " ".join([quality(telling, term), *regards])
 

@@ -79,7 +79,7 @@ def fact(content: Graphlet, finds: tuple[Graphlet, ...], voice: Voice) -> str:
     if main and not finds and len(content.terms) > 1 and not is_predicate(main):
         content, finds = _named(content, main)
     subjects = [other for role, other in main.links if role in SAYING] if main else []
-    if main and subjects and _is_new(content, finds, subjects[0]):
+    if main and subjects and not _is_nobody(content) and _is_new(content, finds, subjects[0]):
         told = content.denied() if main.negated else content
         said = thing(Telling((*finds, told), (), voice), subjects[0])
         return f"there is {f'no {_bare(said)}' if main.negated else said}"
@@ -87,6 +87,13 @@ def fact(content: Graphlet, finds: tuple[Graphlet, ...], voice: Voice) -> str:
     if main and not is_predicate(main):
         return str(naming(Telling(finds, (content,), voice), main, told=True))
     return conditions(Telling(finds, (content,), voice), content, hedge(belief))
+
+
+def _is_nobody(content: Graphlet) -> bool:
+    """What is denied of every person: "nobody is hungry"."""
+    main, *more = (content.head, *(term for term in content if term is not content.head))
+    persons = [term for term in more if word(term) == "person" and linked(term, "ako")]
+    return main is not None and main.negated and more == persons
 
 
 def _bare(phrase: str) -> str:

@@ -37,6 +37,10 @@ _DETERMINERS: Final = ("the", "this", "that", "every", "any", "all", "each")
 _MASSES: Final = frozenset(
     ("music", "water", "milk", "coffee", "tea", "juice", "food", "trash", "smoke", "fire")
 )
+# What one is doing still, and what one does all the time, where that tells which thing is meant.
+_BE: Final = {"I": "am", "you": "are"}
+_ONGOING: Final = ("hold", "carry", "wear", "watch")
+_FELT: Final = tuple("see hear want like love need have know own hate prefer mean smell".split())
 _DEGREES: Final = {"little": "a little", "fully": "all the way"}
 
 
@@ -102,6 +106,15 @@ def _is_material(term: Term) -> bool:
     return "NOUN" in known and "ADJ" not in known
 
 
+def alike(telling: Telling, term: Term) -> str:
+    """As big as the ball; the same size as the ball."""
+    other = thing(telling, linked(term, "as"))
+    if term.lex != {"same"}:
+        return f"as {word(term)} as {other}"
+    sort = [kind(telling, of) for of in telling.take(term.name, "ako")]
+    return " ".join(("the same", *sort, "as", other))
+
+
 def kind(telling: Telling, term: Term) -> str:
     """A kind with what it is compounded of: cereal box."""
     return " ".join([*(word(sub) for sub in telling.take(term.name, "sub")), word(term)])
@@ -135,6 +148,8 @@ def description(telling: Telling, name: str, noun: str) -> tuple[str, str, str]:
         other = linked(term, "than")
         if term.negated:
             after.append(f"that is not {quality(telling, term)}")
+        elif linked(term, "as"):
+            after.append(f"that is {alike(telling, term)}")
         elif other:
             after.append(f"that is {comparative(word(term))} than {thing(telling, other)}")
         elif _is_material(term):
@@ -147,18 +162,44 @@ def description(telling: Telling, name: str, noun: str) -> tuple[str, str, str]:
         whose = thing(telling, owners[0], "possessive") if owners else ""
         said = f"{whose} {kind(telling, term)}" if whose else with_kind(telling, term)
         after.append(f"that is not {said}")
-    for term in _doings(telling, name):
-        agent = linked(term, "agt")
-        who = thing(telling, agent, "subject")
-        if dest := linked(term, "dest"):
-            after.append(f"{who} {past(word(term))} {thing(telling, dest)}")
-            continue
-        does = {"I": f"am {gerund(word(term))}", "you": f"are {gerund(word(term))}"}
-        done = third_person if "STATE" in BORN.readings(word(term)) else past
-        after.append(f"{who} {does.get(who) or done(word(term))}")
+    after += [_done_to(telling, term, name) for term in _doings(telling, name)]
+    after += [_done_there(telling, loc) for loc in _places_of(telling, name)]
     after += [_at_it(telling, term) for term in _own_doings(telling, name)]
     nouns = [kind(telling, term) for term in kinds] or [noun]
     return " ".join(plain), nouns[0], " ".join([*(f"that is a {n}" for n in nouns[1:]), *after])
+
+
+def _places_of(telling: Telling, name: str) -> list[Term]:
+    """What is there or was done there, where that says which thing is meant: "the box the cat is in"."""
+    found = [loc for loc in telling.about(name, "wrt") if telling.is_of(name, loc.name)]
+    telling.hold_back(found)
+    return found
+
+
+def _done_there(telling: Telling, loc: Term) -> str:
+    """ "Tom sat on", "the cat is in"."""
+    act = telling.term(linked(loc, "loc"))
+    if act.kind != "act":
+        who = thing(telling, act.name, "subject")
+        return f"{who} {_BE.get(who, 'is')} {word(loc)}"
+    telling.hold_back([act])
+    return f"{_done_to(telling, act, '')} {word(loc)}"
+
+
+def _done_to(telling: Telling, term: Term, gap: str) -> str:
+    """ "You are holding", "Mary gave me", "I put on the table": the thing itself is missing."""
+    who, verb = thing(telling, linked(term, "agt"), "subject"), word(term)
+    if verb in _ONGOING:
+        does = f"{_BE.get(who, 'is')} {gerund(verb)}"
+    elif verb in _FELT:
+        does = verb if who in ("I", "you") else third_person(verb)
+    else:
+        does = f"did not {verb}" if term.negated else past(verb)
+    obj = linked(term, "obj")
+    what = thing(telling, obj) if obj and obj != gap else ""
+    dest = thing(telling, linked(term, "dest")) if linked(term, "dest") else ""
+    where = [place(telling, loc) for loc in telling.take(term.name, "loc")]
+    return " ".join(filter(None, (who, does, what, dest, *where)))
 
 
 def _doings(telling: Telling, name: str) -> list[Term]:

@@ -1,0 +1,31 @@
+"""Comparisons into nets: "taller than Mary", "as tall as Mary", "the same size as the ball"."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Final
+
+from grammars.alist import AList
+
+if TYPE_CHECKING:
+    from grammars.things import Things
+
+MUCH: Final = {"a bit": "little", "a little": "little", "slightly": "little", "even": "even"}
+SAME: Final = "same"
+
+
+def comparison(build: Things, name: str, compared: AList, negated: bool) -> str:
+    """Say of a thing how it compares with another; the node of that."""
+    other = build.aside(compared.first("np"))
+    roles = {"hq": name, "as": other}
+    if (alike := compared.find("alike")) is not None:
+        return build.add("hq", alike.slot("hq"), negated=negated, **roles)
+    if (same := compared.find("same_sort")) is not None:
+        hq = build.add("hq", SAME, negated=negated, **roles)
+        if attribute := same.slot("attribute"):
+            build.add("ako", attribute, ako=hq)
+        return hq
+    word = compared.slot("adjer") or compared.slot("hq")
+    hq = build.add("hq", word, hq=name, than=other, negated=negated)
+    for deg in compared.all("deg"):  # "much heavier than that"
+        build.add("deg", MUCH.get(deg.value or "", "much"), deg=hq)
+    return hq
