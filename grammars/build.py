@@ -67,7 +67,7 @@ class Build(Things):
             raise NoMeaningError(str(action))
         if is_odd(action) or not is_used(action, verb, self.pattern):
             raise NoMeaningError(str(action))
-        particle, self._particle = self._particle, ""  # of this verb; what it is done to may have verbs of its own
+        particle, self._particle = self._particle, ""  # things may have verbs of their own
         links: dict[str, str] = {}
         if (every := action.find("every")) is not None and (every.parts or verb not in LETTING_GO):
             links["obj"] = self.every(every)

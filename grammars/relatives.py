@@ -5,9 +5,9 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Final
 
 from grammars.alist import AList
-from grammars.errors import NoMeaningError
 from grammars.chains import particles
 from grammars.clauses import PUTTING
+from grammars.errors import NoMeaningError
 from grammars.mentions import PLACES, VERB_SLOTS, is_time
 from grammars.usage import is_kind_of_it
 
