@@ -77,7 +77,7 @@ def fact(alist: AList) -> Fact:
 
 
 def _placed(placed: AList) -> AList:
-    """ "On the shelf stands a vase" is "there is a vase on the shelf", and "on it is the vase" is "the vase is on it"."""
+    """ "On the shelf stands a vase" is "there is a vase on the shelf"; "on it is the vase" is "the vase is on it"."""
     stands = placed.find("stands")
     if stands is not None and stands.value not in STANDING:
         raise NoMeaningError(str(placed))
