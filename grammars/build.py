@@ -33,8 +33,9 @@ from grammars.mentions import (
     place_word,
     somebody,
 )
+from grammars.sorts import kind
 from grammars.things import Things
-from grammars.usage import is_used, kind
+from grammars.usage import is_used
 from kernel.action.chain import Chain, Directive, Play
 from kernel.memory.editing import OTHER_WAY
 from kernel.net.graphlet import Graphlet

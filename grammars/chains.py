@@ -11,6 +11,7 @@ from grammars.alternatives import alternatives, one_each
 from grammars.clauses import clause, condition, names
 from grammars.errors import NoMeaningError
 from grammars.mentions import somebody
+from grammars.sorts import usages
 from grammars.usage import is_odd_end
 from grammars.vocabulary import BORN, lines
 from kernel.action.chain import Chain, Directive, Loop, Part, Play
@@ -69,6 +70,8 @@ def plays(build: Build, play: AList) -> list[Play]:
                 required.append(build.inquired(part))
             case "loop":
                 required.append(_loop(build, part))
+            case "kept" if _is_odd_keeping(part.first("keeping")):
+                raise NoMeaningError(str(part))
             case "kept":
                 beside.append(Directive("KEEP", _claim(build, part.first("keeping"))))
                 until = part.first("until").first("conds")
@@ -79,7 +82,7 @@ def plays(build: Build, play: AList) -> list[Play]:
                 if names(part.first("clause")):  # nobody is made to be Mary
                     raise NoMeaningError(str(part))
                 required.append(Directive("ACH", _claim(build, part.first("clause"))))
-            case "keeping" if is_odd_end(part.first("np"), part.first("qual")):
+            case "keeping" if _is_odd_keeping(part):
                 raise NoMeaningError(str(part))
             case "keeping":
                 beside.append(Directive("KEEP", _claim(build, part)))
@@ -98,6 +101,10 @@ def plays(build: Build, play: AList) -> list[Play]:
         made = [Play((Loop(Chain(tuple(made)), build.times, each=build.each),))]
         build.each, build.times = None, None
     return made
+
+
+def _is_odd_keeping(keeping: AList) -> bool:
+    return is_odd_end(keeping.first("np"), keeping.first("qual"))
 
 
 def _claim(build: Build, part: AList) -> Graphlet:
@@ -181,6 +188,8 @@ def waited(delayed: AList) -> AList:
     if amt.slot("unit") not in TIMES:
         raise NoMeaningError(str(delayed))
     wait = AList("action", (AList("act", value="wait"), amt))
+    if "sensing" in usages(action.slot("act")):
+        raise NoMeaningError(str(delayed))  # "see a thread in an hour"
     now = AList("action", tuple(part for part in action if part.name != "in_a_while"))
     return AList("chain", tuple(AList("play", (a,)) for a in (wait, now)))
 

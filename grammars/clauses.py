@@ -8,8 +8,9 @@ from grammars.alist import AList
 from grammars.errors import NoMeaningError
 from grammars.hedges import preference
 from grammars.mentions import VERB_SLOTS
+from grammars.sorts import is_abstract, is_kind_of_it, kind, may_be_called, usages
 from grammars.timing import by_time, it_is, tells_time, timed
-from grammars.usage import WAYS, is_abstract, is_kind_of_it, kind, usages
+from grammars.usage import WAYS
 from grammars.vocabulary import lines
 from kernel.action.chain import Directive
 from kernel.memory.contraries import EXCLUSIVE
@@ -137,6 +138,8 @@ def _subject(build: Build, np: AList, part: AList) -> str:
         raise NoMeaningError(str(part))
     if np.slot("pron") == "it" and build.pattern and tells_time(pred):
         return build.add("obj", ref="it")
+    if names(part) and not may_be_called(np):
+        raise NoMeaningError(str(part))
     if np.slot("pron") == "it" and names(part):
         return build.pronoun("they")
     return build.thing(np)

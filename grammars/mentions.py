@@ -7,7 +7,8 @@ from typing import Final
 
 from grammars.alist import AList
 from grammars.morphology import gerund
-from grammars.usage import TIMES_OF_DAY, is_abstract, is_bare, kind
+from grammars.sorts import is_abstract, is_bare, kind
+from grammars.usage import TIMES_OF_DAY
 from grammars.vocabulary import BORN
 
 SELF: Final = {"you": "you", "yourself": "you", "me": "me", "i": "me", "mine": "me", "yours": "you"}

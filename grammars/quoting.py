@@ -13,8 +13,8 @@ from typing import Any, Final
 from grammars.errors import BrokenOffError
 from grammars.lattice import Token, guessed
 from grammars.ranking import Leaf, Tree
+from grammars.sorts import abstract_words
 from grammars.source import set_categories
-from grammars.usage import abstract_words
 
 Derive = Callable[[Sequence[Token], str], Any]
 

@@ -9,7 +9,7 @@ from grammars.chains import particles
 from grammars.clauses import PUTTING
 from grammars.errors import NoMeaningError
 from grammars.mentions import PLACES, VERB_SLOTS, is_time
-from grammars.usage import is_kind_of_it
+from grammars.sorts import is_bare, is_kind_of_it, usages
 
 if TYPE_CHECKING:
     from grammars.things import Things
@@ -40,7 +40,7 @@ def relative(build: Things, name: str, np: AList, rel: AList) -> None:
         build.predicate(name, rel, negated=False)
     elif any(rel.has(part) for part in ("going", "has_it", "habit", "habit_s")):
         _doing(build, name, rel)
-    elif (seen := rel.find("seen_by")) is not None:
+    elif (seen := rel.find("seen_by")) is not None and not (is_bare(np) and np.has("ako")):
         _seen(build, name, seen)
     elif rel.has("gerund"):
         build.add("act", rel.slot("gerund"), agt=build.oneself("you"), obj=name)
@@ -89,8 +89,10 @@ def _doing(build: Things, name: str, rel: AList) -> None:
     """What a thing does or has: "who is holding a cup", "that has wheels"."""
     going = rel.find("going", "habit", "habit_s") or rel
     links = {"agt": name}
+    verb = next(filter(None, map(going.slot, VERB_SLOTS)), going.value or "")
     if (obj := going.find("np")) is not None:
         links["obj"] = build.thing(obj)
-    verb = next(filter(None, map(going.slot, VERB_SLOTS)), going.value or "")
+    elif going.name.startswith("habit") and "needing" in usages(verb):
+        raise NoMeaningError(str(rel))  # "the block that thanks"
     act = build.add("act", "have" if rel.has("has_it") else verb, **links)
     build.modifiers(act, going)

@@ -33,7 +33,7 @@ from grammars.mentions import (
     place_word,
 )
 from grammars.relatives import relative
-from grammars.usage import agrees
+from grammars.sorts import agrees
 from grammars.vocabulary import BORN
 from kernel.memory.recall import PERSONS
 from kernel.net.graphlet import Graphlet, Sketch, Term

@@ -6,7 +6,8 @@ from typing import TYPE_CHECKING
 
 from grammars.alist import AList
 from grammars.mentions import is_time
-from grammars.usage import AMBIENT, TIMES_OF_DAY, kind
+from grammars.sorts import kind
+from grammars.usage import AMBIENT, TIMES_OF_DAY
 from kernel.net.graphlet import Graphlet
 
 if TYPE_CHECKING:

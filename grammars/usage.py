@@ -1,17 +1,26 @@
 """How verbs are used: what may stand beside one, and what only stands there by chance.
 
 A rule of the grammar takes any verb for any; nobody sulks puddles, drives a hamster, thanks left or grabs an attitude.
-The classes of verbs are in `words/usage.txt`, what can be neither handled nor owned in `words/abstract.txt`. A verb
-that is in no class, and so every verb that is taught, is used in any way.
+The classes of verbs and the sorts of things are in `sorts.py`. A verb that is in no class, and so every verb that is
+taught, is used in any way.
 """
 
 from __future__ import annotations
 
-from functools import cache
 from typing import Final
 
 from grammars.alist import AList
-from grammars.vocabulary import BORN, lines
+from grammars.sorts import (
+    classes,
+    is_abstract,
+    is_bare,
+    is_country,
+    is_recited,
+    kind,
+    may_receive,
+    persons_own,
+    usages,
+)
 
 WAYS: Final = frozenset(
     "left right forward backward clockwise counterclockwise sideways straight".split()
@@ -37,82 +46,15 @@ BEHIND: Final = frozenset(
 )
 MOST_QUALITIES: Final = 2  # of a thing without an article
 ONCE: Final = ("cnt", "size", "amt")  # an action has one of each
-ABSTRACT_ENDINGS: Final = ("ness", "ity", "tude", "hood", "ism")
-SHORTEST_ABSTRACT: Final = 7  # letters; a city is none
-SEVERAL: Final = ("these", "those")
-ONE: Final = ("a", "an", "another", "this", "that")
 TIMES_OF_DAY: Final = frozenset("noon midnight night morning evening afternoon dawn dusk".split())
 # "It is late": of nothing in particular.
 AMBIENT: Final = frozenset("late early dark sunny cloudy windy foggy".split())
+TURNERS: Final = frozenset("turn rotate spin swivel pivot twirl circle twist revolve".split())
+VERTICAL: Final = frozenset(("up", "down"))
+ORIGINS: Final = ("from", "away from")
 HERE: Final = frozenset(("here", "there"))
 # Nothing is done to them under these names: "stop you", "grab he".
 SUBJECTS: Final = ("you", "i", "he", "she", "they")
-DETERMINED: Final = ("det", "own", "owner", "pron", "pronoun", "vague", "name")
-
-
-@cache
-def usages(verb: str) -> frozenset[str]:
-    """Classes of the verb; what is picked up in no direction is not picked in one, either."""
-    head, _, particle = verb.partition(" ")
-    classes = ("still",) if particle else _classes()
-    return frozenset(name for name in classes if head in _classes()[name])
-
-
-@cache
-def _classes() -> dict[str, frozenset[str]]:
-    found: dict[str, set[str]] = {}
-    for line in lines("usage"):
-        name, _, verbs = line.partition("=")
-        found.setdefault(name.strip(), set()).update(verbs.split())
-    return {name: frozenset(verbs) for name, verbs in found.items()}
-
-
-@cache
-def _persons_own() -> frozenset[str]:
-    return frozenset(word for line in lines("persons_own") for word in line.split())
-
-
-@cache
-def abstract_words() -> frozenset[str]:
-    """What can be neither handled nor owned."""
-    return frozenset(word for line in lines("abstract") for word in line.split())
-
-
-def kind(np: AList) -> str:
-    """What a thing is called, or ""."""
-    return np.slot("ako") or np.slot("akos")
-
-
-def is_abstract(np: AList) -> bool:
-    """It tells of nothing that could be handled or owned."""
-    said = kind(np)
-    ending = len(said) >= SHORTEST_ABSTRACT and said.endswith(ABSTRACT_ENDINGS)
-    return said in abstract_words() or (ending and not BORN.knows(said))
-
-
-def _is_text(np: AList) -> bool:
-    return kind(np) in _classes()["texts"]
-
-
-def is_bare(np: AList) -> bool:
-    """It has no article, or what would stand for one."""
-    return not any(np.has(part) for part in DETERMINED)
-
-
-def agrees(np: AList) -> bool:
-    """ "A blocks" and "those block" are said by nobody."""
-    det = np.slot("det")
-    if np.slot("sub") and np.slot("sub") == kind(np):  # "a block block"
-        return False
-    return not (det in ONE and np.has("akos")) and not (det in SEVERAL and np.has("ako"))
-
-
-def is_kind_of_it(np: AList, kindof: AList) -> bool:
-    """ "The light is toads" is said by nobody; "something is scissors" may be."""
-    several = kindof.slot("akos") if not kindof.has("own") and not kindof.has("owner") else ""
-    return (
-        not several or not (np.has("ako") or np.has("vague")) or "NOUNS" in BORN.readings(several)
-    )
 
 
 def is_used(action: AList, verb: str, pattern: bool) -> bool:
@@ -126,7 +68,8 @@ def is_used(action: AList, verb: str, pattern: bool) -> bool:
     uses, obj = usages(verb), action.find("np")
     dirs = [part.value or "" for part in action.all("dir")]
     dirs += (manner.slot("adv") for manner in action.all("manner") if manner.slot("adv") in WAYS)
-    if "alone" in uses and action.has("every"):
+    every = action.find("every")
+    if every is not None and ("alone" in uses or ("reciting" in uses and not is_recited(every))):
         return False
     if obj is not None and not _takes(action, obj, uses, pattern):
         return False
@@ -146,7 +89,14 @@ def is_used(action: AList, verb: str, pattern: bool) -> bool:
         "nowhere" in uses and not HERE.issuperset(dirs)
     ):
         return False
-    beside = [action.find("iobj"), action.find("dest"), action.find("place")]
+    if _is_from_nowhere(action, uses) or _is_untimely(action, uses):
+        return False
+    if not pattern and any(_is_no_end(np) for part in action.all("dest") for np in part.all("np")):
+        return False
+    receiver = action.find("iobj")
+    if receiver is not None and not all(map(may_receive, receiver.all("np"))):
+        return False
+    beside = [receiver, action.find("dest"), action.find("place")]
     bare = [np for part in beside if part is not None for np in part.walk() if np.name == "np"]
     if "venting" in uses and any(map(is_bare, bare)):
         return False
@@ -158,10 +108,13 @@ def _is_crossed(action: AList, obj: AList | None, dirs: list[str]) -> bool:
     said = set(dirs)
     every = action.find("every")
     if every is not None and action.slot("act") in BACKING:
-        return kind(every) not in _classes()["backing"] | {""}
+        return kind(every) not in classes()["backing"] | {""}
     particles = said & PARTICLES
-    return (bool(said & WAYS) and bool(said & SWITCHING)) or (
-        obj is not None and len(particles) > 1
+    upward = obj is None and action.slot("act") in TURNERS and bool(said & VERTICAL)
+    return (
+        (bool(said & WAYS) and bool(said & SWITCHING))
+        or (obj is not None and len(particles) > 1)
+        or upward  # "turn back up"
     )
 
 
@@ -171,8 +124,28 @@ def _lacks(action: AList, obj: AList | None, uses: frozenset[str]) -> bool:
     making = obj is not None and (
         obj.has("pron") or any(m.has("faster") for m in action.all("manner"))
     )
-    lacking = "needing" in uses or ("taking" in uses and action.has("place"))
+    lacking = "needing" in uses or any(
+        sort in uses and action.has(part)
+        for sort, part in (("taking", "place"), ("aimless", "dir"))
+    )
     return (lacking and not said) or ("making" in uses and making)
+
+
+def _is_from_nowhere(action: AList, uses: frozenset[str]) -> bool:
+    """ "Halt from Mary": who is not on the way comes from nowhere."""
+    place = action.find("place")
+    loc = None if place is None else place.find("loc")
+    return "nowhere" in uses and loc is not None and loc.slot("prep") in ORIGINS
+
+
+def _is_untimely(action: AList, uses: frozenset[str]) -> bool:
+    """ "See it slower": what is done all or not at all takes no time."""
+    return "sensing" in uses and any(m.has("faster") for m in action.all("manner"))
+
+
+def _is_no_end(np: AList) -> bool:
+    """ "Turn to jungles", "go to the lesson": nobody gets there."""
+    return (is_bare(np) and np.has("akos")) or is_abstract(np)
 
 
 def _goes_to_itself(action: AList, obj: AList | None, uses: frozenset[str]) -> bool:
@@ -203,20 +176,23 @@ def _takes(action: AList, obj: AList, uses: frozenset[str], pattern: bool) -> bo
         return False
     if "telling" not in uses and is_abstract(obj):
         return False
-    known = named or BORN.knows(kind(obj))
-    if "reciting" in uses and known and not (is_abstract(obj) or _is_text(obj)):
+    if "reciting" in uses and not is_recited(obj):
+        return False
+    if named and "faring" not in uses and is_country(obj):
         return False
     if not pattern and (obj.slot("pron") in SUBJECTS or kind(obj) in TIMES_OF_DAY):
         return False
-    if action.slot("act") in BACKING and kind(obj) not in _classes()["backing"] | {""}:
+    if action.slot("act") in BACKING and kind(obj) not in classes()["backing"] | {""}:
         return False
     if bare and _qualities(obj) & BEHIND:  # "never pick up pins" is about no "up pins"
         return False
-    if obj.slot("own") == "your" and kind(obj) in _persons_own():
+    if obj.slot("own") == "your" and kind(obj) in persons_own():
         return False
     if not WAYS.isdisjoint(before) and (bare or named or obj.has("pron") or "steering" in uses):
         return False
-    if ("steering" in uses and bare) or ("self" in uses and (named or obj.slot("pron") == "you")):
+    if (bare and not uses.isdisjoint(("steering", "apart"))) or (
+        "self" in uses and (named or obj.slot("pron") == "you")
+    ):
         return False
     return pattern or _is_short(obj, "telling" in uses)
 

@@ -9,7 +9,7 @@ from grammars.build import Build, NoMeaningError
 from grammars.clauses import clause
 from grammars.mentions import OWNING, is_definite, is_person, is_time, may_be_person
 from grammars.registry import sentence_form
-from grammars.usage import is_abstract
+from grammars.sorts import is_abstract
 from grammars.vocabulary import BORN
 from kernel.memory.meaning import Fact
 from kernel.net.graphlet import Graphlet, Term

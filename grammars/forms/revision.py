@@ -7,7 +7,7 @@ from typing import Final
 from grammars.alist import AList
 from grammars.build import Build, NoMeaningError
 from grammars.registry import sentence_form
-from grammars.usage import is_bare
+from grammars.sorts import is_bare
 from grammars.verdicts import is_praise
 from kernel.action.chain import Chain, Directive, Play, sequence
 from kernel.memory.editing import OTHER_WAY

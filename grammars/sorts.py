@@ -1,0 +1,105 @@
+"""Sorts of things and classes of verbs: what a noun phrase tells of, and what is said of such.
+
+The classes of verbs are in `words/usage.txt`, what can be neither handled nor owned in `words/abstract.txt`.
+"""
+
+from __future__ import annotations
+
+from functools import cache
+from typing import Final
+
+from grammars.alist import AList
+from grammars.vocabulary import BORN, lines
+
+ABSTRACT_ENDINGS: Final = ("ness", "ity", "tude", "hood", "ism")
+SHORTEST_ABSTRACT: Final = 7  # letters; a city is none
+SEVERAL: Final = ("these", "those")
+ONE: Final = ("a", "an", "another", "this", "that")
+DETERMINED: Final = ("det", "own", "owner", "pron", "pronoun", "vague", "name")
+
+
+@cache
+def usages(verb: str) -> frozenset[str]:
+    """Classes of the verb; what is picked up in no direction is not picked in one, either."""
+    head, _, particle = verb.partition(" ")
+    names = ("still",) if particle else classes()
+    return frozenset(name for name in names if head in classes()[name])
+
+
+@cache
+def classes() -> dict[str, frozenset[str]]:
+    """The words of each class."""
+    found: dict[str, set[str]] = {}
+    for line in lines("usage"):
+        name, _, verbs = line.partition("=")
+        found.setdefault(name.strip(), set()).update(verbs.split())
+    return {name: frozenset(verbs) for name, verbs in found.items()}
+
+
+@cache
+def persons_own() -> frozenset[str]:
+    """What "your" is said of to persons alone."""
+    return frozenset(word for line in lines("persons_own") for word in line.split())
+
+
+@cache
+def abstract_words() -> frozenset[str]:
+    """What can be neither handled nor owned."""
+    return frozenset(word for line in lines("abstract") for word in line.split())
+
+
+def kind(np: AList) -> str:
+    """What a thing is called, or ""."""
+    return np.slot("ako") or np.slot("akos")
+
+
+def is_abstract(np: AList) -> bool:
+    """It tells of nothing that could be handled or owned."""
+    said = kind(np)
+    ending = len(said) >= SHORTEST_ABSTRACT and said.endswith(ABSTRACT_ENDINGS)
+    return said in abstract_words() or (ending and not BORN.knows(said))
+
+
+def is_bare(np: AList) -> bool:
+    """It has no article, or what would stand for one."""
+    return not any(np.has(part) for part in DETERMINED)
+
+
+def agrees(np: AList) -> bool:
+    """ "A blocks" and "those block" are said by nobody."""
+    det = np.slot("det")
+    if np.slot("sub") and np.slot("sub") == kind(np):  # "a block block"
+        return False
+    return not (det in ONE and np.has("akos")) and not (det in SEVERAL and np.has("ako"))
+
+
+def may_be_called(np: AList) -> bool:
+    """It may have the name of a person: no "light" is Janey."""
+    said = kind(np)
+    named = not BORN.knows(said) or is_abstract(np) or said in classes()["named"]
+    return named or "PERSON" in BORN.readings(said)
+
+
+def is_kind_of_it(np: AList, kindof: AList) -> bool:
+    """ "The light is toads" is said by nobody; "something is scissors" may be."""
+    several = kindof.slot("akos") if not kindof.has("own") and not kindof.has("owner") else ""
+    return (
+        not several or not (np.has("ako") or np.has("vague")) or "NOUNS" in BORN.readings(several)
+    )
+
+
+def is_recited(np: AList) -> bool:
+    """A text, or it may be one: nobody recites sweaters or repeats a block."""
+    known = np.has("name") or BORN.knows(kind(np))
+    return not known or is_abstract(np) or kind(np) in classes()["texts"]
+
+
+def is_country(np: AList) -> bool:
+    """It names a place, or a language, which nobody handles: "stop Ireland"."""
+    called = np.slot("name")
+    return "PLACE" in BORN.readings(called) and called not in classes()["brands"]
+
+
+def may_receive(np: AList) -> bool:
+    """Something is given to somebody in particular, or to people: "give people flowers", and not "give walls paint"."""
+    return not is_bare(np) or not BORN.knows(kind(np)) or "PERSON" in BORN.readings(kind(np))
