@@ -12,7 +12,7 @@ from typing import Final
 
 from grammars.alist import AList
 from grammars.errors import NoMeaningError
-from grammars.mentions import NOBODY
+from grammars.sorts import is_nothing
 from kernel.memory.lesson import LessonKind, Operator, Rule, graphlets
 from kernel.memory.meaning import Teach
 from kernel.memory.notation import write
@@ -93,7 +93,7 @@ def _is_denied(clause: AList) -> bool:
     subject, *rest = clause.parts
     if all(map(is_single, rest)):
         return False
-    nobody = subject.slot("vague") in NOBODY or subject.slot("det") == "no"
+    nobody = is_nothing(subject)
     return nobody or any(clause.has(denial) for denial in DENIALS)
 
 

@@ -29,7 +29,6 @@ PERSON_WORDS: Final = frozenset("someone somebody anyone anybody nobody whoever"
     "somebody else",
     "no one",
 }
-NOBODY: Final = frozenset(("nothing", "nobody", "no one"))
 _NAMES_OF_WOMEN: Final = """
 mary janey mom jane sue ann anna anne alice emma olivia sophia emily elizabeth sarah sally susan lucy molly nancy
 grandma mommy

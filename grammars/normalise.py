@@ -78,6 +78,7 @@ REPAIRABLE: Final = ("DIR", "ADV", "UNIT", "ADJ", "NOUN", "PROPER", "VERB")
 
 
 ABBREVIATED: Final = frozenset("mr mrs ms dr prof deg ft cm mm min mins sec secs".split())
+THANKING: Final = ("thanks", "thank")
 COUNTING: Final = frozenset("there is are was were has have had with see means say".split())
 MOST_STAMMERED: Final = 3
 
@@ -226,6 +227,8 @@ def repaired_by_speaker(
                 continue
             if marker == ["no"] and texts[at - 1] in COUNTING:
                 continue  # "there are no free lunches"
+            if texts[at + len(marker)] in THANKING:
+                continue
             before = [piece for piece in found[:at] if piece.kind != "comma"]
             after = [piece for piece in found[at + len(marker) :] if piece.kind != "comma"]
             return _put_right(before, after, sorts) if after else before

@@ -15,6 +15,7 @@ ABSTRACT_ENDINGS: Final = ("ness", "ity", "tude", "hood", "ism")
 SHORTEST_ABSTRACT: Final = 7  # letters; a city is none
 SEVERAL: Final = ("these", "those")
 ONE: Final = ("a", "an", "another", "this", "that")
+NOBODY: Final = frozenset(("nothing", "nobody", "no one"))
 DETERMINED: Final = ("det", "own", "owner", "pron", "pronoun", "vague", "name")
 
 
@@ -65,6 +66,11 @@ def is_bare(np: AList) -> bool:
     return not any(np.has(part) for part in DETERMINED)
 
 
+def is_nothing(np: AList) -> bool:
+    """ "Nothing", "no block"."""
+    return np.slot("vague") in NOBODY or np.slot("det") == "no"
+
+
 def agrees(np: AList) -> bool:
     """ "A blocks" and "those block" are said by nobody."""
     det = np.slot("det")
@@ -76,6 +82,8 @@ def agrees(np: AList) -> bool:
 def may_be_called(np: AList) -> bool:
     """It may have the name of a person: no "light" is Janey."""
     said = kind(np)
+    if is_bare(np) and np.has("ako"):  # "name is Freddy"
+        return False
     named = not BORN.knows(said) or is_abstract(np) or said in classes()["named"]
     return named or "PERSON" in BORN.readings(said)
 

@@ -18,7 +18,6 @@ from grammars.errors import NoMeaningError
 from grammars.mentions import (
     ALIKE,
     ANY_KIND,
-    NOBODY,
     OWNING,
     PERSON_WORDS,
     PERSONAL,
@@ -33,7 +32,7 @@ from grammars.mentions import (
     place_word,
 )
 from grammars.relatives import relative
-from grammars.sorts import agrees
+from grammars.sorts import agrees, is_nothing
 from grammars.vocabulary import BORN
 from kernel.memory.recall import PERSONS
 from kernel.net.graphlet import Graphlet, Sketch, Term
@@ -169,7 +168,7 @@ class Things:
         if not agrees(np):
             raise NoMeaningError(str(np))
         vague, called = np.slot("vague"), np.slot("name")
-        if vague in NOBODY or det == "no":
+        if is_nothing(np):
             self.negative = True
         anybody = vague in PERSON_WORDS and self.trigger
         of_owner = any(rel.find("owner_of", "of_owner") is not None for rel in np.all("rel"))

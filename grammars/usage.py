@@ -15,6 +15,7 @@ from grammars.sorts import (
     is_abstract,
     is_bare,
     is_country,
+    is_nothing,
     is_recited,
     kind,
     may_receive,
@@ -44,6 +45,7 @@ SWITCHING: Final = frozenset(("on", "off"))
 BEHIND: Final = frozenset(
     "up down on off here there gone home away asleep awake alone alive afraid near".split()
 )
+WORKED: Final = frozenset(("up", "down", "on", "off", "here", "there"))
 MOST_QUALITIES: Final = 2  # of a thing without an article
 ONCE: Final = ("cnt", "size", "amt")  # an action has one of each
 TIMES_OF_DAY: Final = frozenset("noon midnight night morning evening afternoon dawn dusk".split())
@@ -69,11 +71,13 @@ def is_used(action: AList, verb: str, pattern: bool) -> bool:
     dirs = [part.value or "" for part in action.all("dir")]
     dirs += (manner.slot("adv") for manner in action.all("manner") if manner.slot("adv") in WAYS)
     every = action.find("every")
-    if every is not None and ("alone" in uses or ("reciting" in uses and not is_recited(every))):
+    if every is not None and not _takes_each(every, uses):
         return False
     if obj is not None and not _takes(action, obj, uses, pattern):
         return False
     if not pattern and (_lacks(action, obj, uses) or _goes_to_itself(action, obj, uses)):
+        return False
+    if not pattern and _is_upon_nothing(action):
         return False
     if "whole" in uses and (action.has("size") or action.has("amt")):
         return False
@@ -118,11 +122,18 @@ def _is_crossed(action: AList, obj: AList | None, dirs: list[str]) -> bool:
     )
 
 
+def _is_upon_nothing(action: AList) -> bool:
+    """ "Touch nothing" is no order to touch something."""
+    beside = [action, *action.all("iobj", "dest")]
+    beside += (loc for place in action.all("place") for loc in place.all("loc"))
+    return any(is_nothing(np) for part in beside for np in part.all("np"))
+
+
 def _lacks(action: AList, obj: AList | None, uses: frozenset[str]) -> bool:
     """Nobody is told to "make", or to "make it" and no more, or to "grab behind the chair"."""
     said = obj is not None or action.has("every")
     making = obj is not None and (
-        obj.has("pron") or any(m.has("faster") for m in action.all("manner"))
+        obj.has("pron") or obj.has("name") or any(m.has("faster") for m in action.all("manner"))
     )
     lacking = "needing" in uses or any(
         sort in uses and action.has(part)
@@ -167,6 +178,12 @@ def _after(said: list[str], one: str) -> list[str]:
     return said[said.index(one) + 1 :]
 
 
+def _takes_each(every: AList, uses: frozenset[str]) -> bool:
+    """The verb takes an object, and such."""
+    handled = "telling" in uses or not is_abstract(every)
+    return handled and "alone" not in uses and ("reciting" not in uses or is_recited(every))
+
+
 def _takes(action: AList, obj: AList, uses: frozenset[str], pattern: bool) -> bool:
     """The verb takes such an object there."""
     parts = list(action)
@@ -184,8 +201,9 @@ def _takes(action: AList, obj: AList, uses: frozenset[str], pattern: bool) -> bo
         return False
     if action.slot("act") in BACKING and kind(obj) not in classes()["backing"] | {""}:
         return False
-    if bare and _qualities(obj) & BEHIND:  # "never pick up pins" is about no "up pins"
-        return False
+    quals = _qualities(obj)
+    if (bare and quals & BEHIND) or (quals & WORKED and kind(obj) not in classes()["switches"]):
+        return False  # "never pick up pins" is about no "up pins", nor "pick the up block"
     if obj.slot("own") == "your" and kind(obj) in persons_own():
         return False
     if not WAYS.isdisjoint(before) and (bare or named or obj.has("pron") or "steering" in uses):
