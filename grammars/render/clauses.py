@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import Final
 
 from grammars.earley import closed_words
-from grammars.mentions import NOBODY, WOMEN
+from grammars.mentions import WOMEN
 from grammars.morphology import article, comparative, gerund, past, third_person
 from grammars.render.deeds import be, deed
 from grammars.render.telling import SAYING, Telling, is_predicate, linked, word
@@ -22,6 +22,7 @@ from grammars.render.things import (
     quality,
     thing,
 )
+from grammars.sorts import NOBODY
 from grammars.vocabulary import BORN
 from kernel.net.graphlet import Graphlet, Term
 
