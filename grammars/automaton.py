@@ -57,12 +57,6 @@ class Automaton:
         return bool(self.after(words) & self.finals)
 
 
-def restrict(automaton: Automaton, words: frozenset[str]) -> Automaton:
-    """The sentences that need no other words than these."""
-    arcs = tuple(arc for arc in automaton.arcs if arc[1] in words)
-    return useful(replace(automaton, arcs=arcs))
-
-
 def sample(automaton: Automaton, count: int, chance: random.Random) -> list[str]:
     """Draw sentences; the same random source draws the same ones. Fewer than count if there are fewer.
 

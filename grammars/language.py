@@ -1,18 +1,19 @@
 """What may be said, as the recognisers get it: sentences to listen for, and all others the parser reads.
 
-An engine that follows an automaton hears what `heard.py` lists. One that weighs which words follow which is given
-phrases: what people say word for word (the examples), sentences like these with other words, and one for every rule of
-the grammar. Whether what it then heard is a sentence the parser says.
+An engine weighs which words follow which, as it learns from phrases: what people say word for word (the examples),
+sentences like these with other words, and one for every rule of the grammar. Whether what it then heard is a sentence
+the parser says; those that `heard.py` lists are taken to be likelier.
 """
 
 from __future__ import annotations
 
+import random
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
 from functools import cache, cached_property
 from typing import Final
 
-from grammars.automaton import Automaton
+from grammars.automaton import Automaton, sample
 from grammars.drawn import Deal, Shape, drawn, words
 from grammars.heard import automaton
 from grammars.parse import understood
@@ -70,6 +71,12 @@ def language(vocabulary: Vocabulary = BORN) -> Language:
     """What may be said by someone who has taught these words."""
     likely = (*_born(), *_with_each(vocabulary.taught))
     return Language(automaton(vocabulary), drawn().typical, likely, vocabulary.taught)
+
+
+@cache
+def listened_for(count: int) -> tuple[str, ...]:
+    """So many of the sentences that are listened for at birth, drawn at random."""
+    return tuple(sample(automaton(), count, random.Random(1)))
 
 
 @cache

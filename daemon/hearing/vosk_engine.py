@@ -1,20 +1,19 @@
 """Vosk: the owner's engine. Any model with run-time grammars; a small one comes with Sayso.
 
 Its phrase list is only a bigram with backoff (any order of the words passes, at a cost), so it is given phrases of the
-whole language, asked for many alternatives, and the language says which of them are sentences. What is not in the
+whole language, asked for many alternatives, and `judging` says which of them are sentences. What is not in the
 language shows as [unk], and as a best alternative that is no sentence: the confidence is the margin over it.
 """
 
 from __future__ import annotations
 
 import json
-import math
 import tempfile
-from collections.abc import Iterator
 from pathlib import Path
 
 import vosk
 
+from daemon.hearing.judging import Judge
 from daemon.hearing.recogniser import RATE_HZ, Alternative, EngineError, Samples
 from grammars.language import Language
 
@@ -27,9 +26,6 @@ UNKNOWN_SHARE = 20
 TYPICAL = 40
 """How often a sentence that people say is put among the phrases."""
 
-JUDGED = 8
-"""Alternatives, the best first, of which the parser says whether they are sentences: some 5 ms for each."""
-
 LISTED = 5.0
 """Nats by which a sentence that is listened for is taken to be likelier than any other: without it "to shimmy" came out
 as "to show me" in a voice of three; and with 6 other sentences began to be taken for such ones."""
@@ -38,11 +34,9 @@ DOUBT = 0.5
 """Cost in nats of an "a": "grab the" came out as "grab a" in 3 of 230 sentences without it, and with 1.0 "a" as "the"
 in as many others."""
 
-MIDDLE, SPREAD = -0.8, 2.0
-"""Margin over the best alternative that is no sentence, in nats, at which confidence is one half, and the change that
-makes it 0.73: 0.6, which is enough, where a sentence fits best. Of 183 pieces of chatter 14 were above it, each with
-the words of a sentence and none that moves the robot; and 6 in 10 other sentences of those people would say.
-"""
+JUDGE = Judge(LISTED, middle=-0.8, spread=2.0)
+"""Confidence 0.6, which is enough, where a sentence fits best. Of 183 pieces of chatter 14 were above it, each with the
+words of a sentence and none that moves the robot; and 6 in 10 other sentences of those people would say."""
 
 OVERLAY = """--endpoint.rule1.min-trailing-silence=1000
 --endpoint.rule2.min-trailing-silence=1000
@@ -142,31 +136,13 @@ class VoskRecogniser:
     def final(self) -> tuple[Alternative, ...]:
         """See Recogniser."""
         result = json.loads(self._engine.FinalResult())
+        heard = ((self._read(found["text"]), found) for found in result["alternatives"])
         scored = [
-            (self._read(found["text"]), float(found["confidence"]))
-            for found in result["alternatives"]
+            (text, float(found["confidence"]) - DOUBT * text.split().count("a"))
+            for text, found in heard
         ]
-        return tuple(self._trusted(scored))
-
-    def _trusted(self, scored: list[tuple[str, float]]) -> Iterator[Alternative]:
-        """The sentences among the best, by score; confidence from the margin over the best that is none."""
         assert self._language is not None
-        listed = {text for text, _ in scored if self._language.lists(text)}
-        weighed = [
-            (score + LISTED * (text in listed) - DOUBT * text.split().count("a"), text)
-            for text, score in scored
-        ]
-        best_other, sentences = -math.inf, list[tuple[float, str]]()
-        for score, text in sorted(weighed, reverse=True)[:JUDGED]:
-            if text and (text in listed or self.is_sentence(text)):
-                sentences.append((score, text))
-            else:
-                best_other = max(best_other, score)
-        for score, text in sentences:
-            margin = (score - best_other - MIDDLE) / SPREAD
-            yield Alternative(text, 1.0 / (1.0 + math.exp(-min(margin, 30.0))))
-        if not sentences and weighed:
-            yield Alternative(max(weighed)[1], 0.0)
+        return tuple(JUDGE.trusted(scored, self._language.lists, self.is_sentence))
 
     @property
     def _engine(self) -> vosk.KaldiRecognizer:

@@ -114,19 +114,19 @@ def test_what_follows_an_unfinished_lesson_is_never_heard_alone(vosk: Transcribe
     assert heard.text == "to cha-cha drive forward"
 
 
-def test_stop_in_a_halting_lesson_stops(vosk: Transcriber) -> None:
-    assert any(isinstance(event, StopWord) for event in said(vosk, spoken("to-stop-hesitating")))
+def test_stop_in_a_halting_lesson_stops(either: Transcriber) -> None:
+    assert any(isinstance(event, StopWord) for event in said(either, spoken("to-stop-hesitating")))
 
 
-def test_the_name_may_stand_before_stop(vosk: Transcriber) -> None:
-    assert any(isinstance(event, StopWord) for event in said(vosk, spoken("robot-stop")))
+def test_the_name_may_stand_before_stop(either: Transcriber) -> None:
+    assert any(isinstance(event, StopWord) for event in said(either, spoken("robot-stop")))
 
 
-def test_chatter_is_outside_the_language(vosk: Transcriber) -> None:
+def test_chatter_is_outside_the_language(either: Transcriber) -> None:
     pause = np.zeros(
         3 * RATE_HZ, np.int16
     )  # what follows an unclear lesson at once is the rest of it
-    (event,) = said(vosk, np.concatenate([pause, spoken("chatter")]))
+    (event,) = said(either, np.concatenate([pause, spoken("chatter")]))
     assert isinstance(event, NotHeard)
     assert event.reason == "outside"
 
