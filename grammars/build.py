@@ -33,7 +33,7 @@ from grammars.mentions import (
     place_word,
     somebody,
 )
-from grammars.sorts import kind
+from grammars.sorts import is_attribute, kind
 from grammars.things import Things
 from grammars.usage import is_used
 from kernel.action.chain import Chain, Directive, Play
@@ -245,6 +245,8 @@ class Build(Things):
                 thing = self._asked_of(asked)
                 wanted = self.add(sort, **{sort: thing})
                 if attribute := asked.slot("attribute"):
+                    if not is_attribute(attribute):
+                        raise NoMeaningError(str(asked))  # "what burrito the block is"
                     self.add("ako", attribute, ako=wanted)
                 return Directive("FIND", self.graphlet(wanted))
         raise NoMeaningError(str(inquiry))

@@ -7,7 +7,7 @@ from typing import Final
 
 from grammars.alist import AList
 from grammars.morphology import gerund
-from grammars.sorts import is_abstract, is_bare, kind
+from grammars.sorts import is_abstract, is_bare, is_nothing, kind
 from grammars.usage import TIMES_OF_DAY
 from grammars.vocabulary import BORN
 
@@ -152,6 +152,8 @@ def is_addressed(verb: str, speech: AList) -> bool:
     if verb == "tell" and words[0] in FINITE:
         return False
     np = None if hearer is None else hearer.find("np")
+    if any(is_nothing(who) for who in (listener, np) if who is not None):
+        return False
     return np is None or is_person(np) or not is_bare(np) or not BORN.knows(kind(np))
 
 

@@ -81,6 +81,21 @@ def _examples() -> tuple[str, ...]:
     )
 
 
+def typical_sentence(text: str) -> str | None:
+    """The shortest example that begins with the same word, or None."""
+    return _by_opening().get(_opening(text))
+
+
+@cache
+def _by_opening() -> dict[str, str]:
+    return {_opening(example): example for example in sorted(_examples(), key=len, reverse=True)}
+
+
+def _opening(text: str) -> str:
+    word = re.match("[a-z']+", text.lower())
+    return word[0] if word else ""
+
+
 def nearest_sentence(text: str) -> str | None:
     """An example of some form that is like the text, or None."""
     found = process.extractOne(

@@ -55,6 +55,7 @@ WHOLE = {
     "ok": "okay",
     "pls": "please",
     "nevermind": "never mind",
+    "d'you": "do you",
     "'em": "them",
     "till": "until",
     "til": "until",

@@ -40,12 +40,20 @@ def relative(build: Things, name: str, np: AList, rel: AList) -> None:
         build.predicate(name, rel, negated=False)
     elif any(rel.has(part) for part in ("going", "has_it", "habit", "habit_s")):
         _doing(build, name, rel)
-    elif (seen := rel.find("seen_by")) is not None and not (is_bare(np) and np.has("ako")):
+    elif (seen := rel.find("seen_by")) is not None and _may_be_told_apart(np):
         _seen(build, name, seen)
     elif rel.has("gerund"):
         build.add("act", rel.slot("gerund"), agt=build.oneself("you"), obj=name)
     else:
         raise NoMeaningError(str(rel))
+
+
+def _may_be_told_apart(np: AList) -> bool:
+    """By what somebody does to it: not "bowl Rosie saw", nor "the basket she spins she scores"."""
+    return (
+        not (is_bare(np) and np.has("ako"))
+        and sum(rel.has("seen_by") for rel in np.all("rel")) == 1
+    )
 
 
 def _seen(build: Things, name: str, seen: AList) -> None:
@@ -66,6 +74,8 @@ def _seen(build: Things, name: str, seen: AList) -> None:
     links = {"agt": agent}
     if (obj := seen.find("np")) is not None:
         links["obj"] = build.thing(obj)
+    elif not strand and "alone" in usages(verb):  # "the basket she sleeps"
+        raise NoMeaningError(str(seen))
     elif not strand:
         links["obj"] = name
     if (receiver := seen.find("receiver")) is not None:

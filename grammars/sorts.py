@@ -96,9 +96,15 @@ def is_kind_of_it(np: AList, kindof: AList) -> bool:
     )
 
 
+def is_attribute(word: str) -> bool:
+    """Something has it: a color, and no burrito."""
+    known = BORN.knows(word) and word not in abstract_words()
+    return not known or word in classes()["attributes"]
+
+
 def is_recited(np: AList) -> bool:
     """A text, or it may be one: nobody recites sweaters or repeats a block."""
-    known = np.has("name") or BORN.knows(kind(np))
+    known = (np.has("name") and not is_country(np)) or BORN.knows(kind(np))
     return not known or is_abstract(np) or kind(np) in classes()["texts"]
 
 

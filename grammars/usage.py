@@ -22,6 +22,7 @@ from grammars.sorts import (
     persons_own,
     usages,
 )
+from grammars.vocabulary import BORN
 
 WAYS: Final = frozenset(
     "left right forward backward clockwise counterclockwise sideways straight".split()
@@ -46,9 +47,12 @@ BEHIND: Final = frozenset(
     "up down on off here there gone home away asleep awake alone alive afraid near".split()
 )
 WORKED: Final = frozenset(("up", "down", "on", "off", "here", "there"))
+SINGLE: Final = ("hand", "arm", "claw")  # of which the robot has one
 MOST_QUALITIES: Final = 2  # of a thing without an article
 ONCE: Final = ("cnt", "size", "amt")  # an action has one of each
-TIMES_OF_DAY: Final = frozenset("noon midnight night morning evening afternoon dawn dusk".split())
+TIMES_OF_DAY: Final = frozenset(
+    "noon midnight night morning evening afternoon dawn dusk summer winter autumn".split()
+)
 # "It is late": of nothing in particular.
 AMBIENT: Final = frozenset("late early dark sunny cloudy windy foggy".split())
 TURNERS: Final = frozenset("turn rotate spin swivel pivot twirl circle twist revolve".split())
@@ -71,7 +75,7 @@ def is_used(action: AList, verb: str, pattern: bool) -> bool:
     dirs = [part.value or "" for part in action.all("dir")]
     dirs += (manner.slot("adv") for manner in action.all("manner") if manner.slot("adv") in WAYS)
     every = action.find("every")
-    if every is not None and not _takes_each(every, uses):
+    if every is not None and not _takes_each(action, every, uses):
         return False
     if obj is not None and not _takes(action, obj, uses, pattern):
         return False
@@ -117,7 +121,7 @@ def _is_crossed(action: AList, obj: AList | None, dirs: list[str]) -> bool:
     upward = obj is None and action.slot("act") in TURNERS and bool(said & VERTICAL)
     return (
         (bool(said & WAYS) and bool(said & SWITCHING))
-        or (obj is not None and len(particles) > 1)
+        or ((obj is not None or "still" in usages(action.slot("act"))) and len(particles) > 1)
         or upward  # "turn back up"
     )
 
@@ -133,7 +137,10 @@ def _lacks(action: AList, obj: AList | None, uses: frozenset[str]) -> bool:
     """Nobody is told to "make", or to "make it" and no more, or to "grab behind the chair"."""
     said = obj is not None or action.has("every")
     making = obj is not None and (
-        obj.has("pron") or obj.has("name") or any(m.has("faster") for m in action.all("manner"))
+        obj.has("pron")
+        or obj.has("name")
+        or "PERSON" in BORN.readings(kind(obj))
+        or any(m.has("faster") for m in action.all("manner"))
     )
     lacking = "needing" in uses or any(
         sort in uses and action.has(part)
@@ -169,7 +176,8 @@ def _goes_to_itself(action: AList, obj: AList | None, uses: frozenset[str]) -> b
         loc = place.first("loc")
         marks += (np.slot("pron") for np in loc.all("np"))
         named = any(np.has("name") for np in loc.all("np"))
-        if loc.slot("prep") == "on" and (named or "it" in marks):
+        people = any("PERSON" in BORN.readings(kind(np)) for np in loc.all("np"))
+        if loc.slot("prep") == "on" and (named or people or "it" in marks):
             return True
     return not {"you", "yourself"}.isdisjoint(marks)
 
@@ -178,10 +186,23 @@ def _after(said: list[str], one: str) -> list[str]:
     return said[said.index(one) + 1 :]
 
 
-def _takes_each(every: AList, uses: frozenset[str]) -> bool:
-    """The verb takes an object, and such."""
+def _takes_each(action: AList, every: AList, uses: frozenset[str]) -> bool:
+    """The verb takes an object there, and such."""
+    before = {part.value for part in action.parts[: action.parts.index(every)]}
+    if "steering" in uses and (before & WAYS):
+        return False  # "turn left everything"
     handled = "telling" in uses or not is_abstract(every)
     return handled and "alone" not in uses and ("reciting" not in uses or is_recited(every))
+
+
+def _is_called(np: AList) -> bool:
+    """ "Carry on, doctor": who is told so, and nothing that it is done to."""
+    return (
+        np.has("ako")
+        and is_bare(np)
+        and "PERSON" in BORN.readings(kind(np))
+        and kind(np) != "person"
+    )
 
 
 def _takes(action: AList, obj: AList, uses: frozenset[str], pattern: bool) -> bool:
@@ -197,6 +218,8 @@ def _takes(action: AList, obj: AList, uses: frozenset[str], pattern: bool) -> bo
         return False
     if named and "faring" not in uses and is_country(obj):
         return False
+    if before and _is_called(obj):
+        return False
     if not pattern and (obj.slot("pron") in SUBJECTS or kind(obj) in TIMES_OF_DAY):
         return False
     if action.slot("act") in BACKING and kind(obj) not in classes()["backing"] | {""}:
@@ -204,7 +227,7 @@ def _takes(action: AList, obj: AList, uses: frozenset[str], pattern: bool) -> bo
     quals = _qualities(obj)
     if (bare and quals & BEHIND) or (quals & WORKED and kind(obj) not in classes()["switches"]):
         return False  # "never pick up pins" is about no "up pins", nor "pick the up block"
-    if obj.slot("own") == "your" and kind(obj) in persons_own():
+    if obj.slot("own") == "your" and (kind(obj) in persons_own() or obj.slot("akos") in SINGLE):
         return False
     if not WAYS.isdisjoint(before) and (bare or named or obj.has("pron") or "steering" in uses):
         return False
@@ -234,6 +257,14 @@ def is_odd_end(np: AList, qual: AList) -> bool:
 
 def _qualities(np: AList) -> set[str]:
     return {qual.value or qual.slot("hq") for qual in np.all("qual")}
+
+
+def is_waiting_for_way(sentence: AList) -> bool:
+    """ "Turn right now" turns right; "back up right now" backs up at once."""
+    deeds = [part for part in sentence.walk() if part.name == "action"]
+    if not deeds or any(part.name != "act" for part in deeds[-1].parts):
+        return False
+    return (deeds[-1].value or deeds[-1].slot("act")) in TURNERS
 
 
 def is_way(bare: AList) -> bool:

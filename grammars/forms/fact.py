@@ -130,6 +130,12 @@ def _check_subject(said: AList) -> None:
     """Refuse subjects of generic sentences and of small talk: "a girl", "girls", "I"; and what was said at length."""
     if len(said.slot("quote").split()) > LONGEST_QUOTE:
         raise NoMeaningError("gossip")
+    if (
+        said.has("quote")
+        and said.find("np", "base_np") is not None
+        and said.first("np", "base_np").has("pron")
+    ):
+        raise NoMeaningError("gossip")  # "he said stop and I stopped"
     pred = said.find("pred")
     if pred is not None and pred.has("isname"):
         raise NoMeaningError("a name; read as such")

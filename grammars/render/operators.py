@@ -223,6 +223,8 @@ def _may_tell(telling: Telling, causes: list[Term], content: Operator) -> str:
     """ "Mary may tell you to drive backward"."""
     speakers = [thing(telling, linked(cause, "agt"), "subject") for cause in causes]
     hearer = thing(telling, linked(causes[0], "dest"))
+    if telling.term(_main(content)).lex == {LEARN}:
+        return f"{' or '.join(speakers)} may teach {hearer}"
     return f"{' or '.join(speakers)} may tell {hearer} to {deed(telling, _main(content))}"
 
 

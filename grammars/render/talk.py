@@ -89,7 +89,11 @@ def revision(meaning: Revision, voice: Voice) -> str:
 def _correction(telling: Telling, meaning: Revision) -> str:
     """What is to be done, instead of what or beside what."""
     old, no = meaning.instead_of, "" if meaning.of is not None else "no, "
-    at = None if old is None else next((o for t in old for o in ORDER if o in t.lex), None)
+    at = (
+        None
+        if old is None
+        else next((o for t in old for o in ORDER if t.kind == "hq" and o in t.lex), None)
+    )
     step = "" if old is None else f"the {at} step" if at else deed(telling, old.main, "gerund")
     if not meaning.chain.plays:
         return f"leave out {step}"

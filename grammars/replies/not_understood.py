@@ -1,11 +1,16 @@
-"""A sentence without a reading: the unknown word, or what would have worked."""
+"""A sentence without a reading: the unknown word, or what would have worked; if nothing near it would, what does."""
 
 from __future__ import annotations
 
+from typing import Final
+
 from grammars.errors import NotUnderstoodError
+from grammars.nearest import typical_sentence
 from grammars.replies import Said, aloud, listed, renders, sentence
 
 _LONGEST_LIST = 3
+ORDER: Final = "drive forward"
+LESSON: Final = "to dance, turn left then turn right"
 
 
 @renders(NotUnderstoodError)
@@ -28,4 +33,11 @@ def not_understood(error: NotUnderstoodError) -> Said:
     if nearest := (error.nearest or "").rstrip(" .!?"):
         shown += f' Did you mean "{nearest}"?'
         return Said(shown, f"{aloud(said)} Did you mean: {nearest}?")
-    return Said(shown, aloud(said))
+    return Said(f"{shown} {_offer(error.text)}", aloud(said))
+
+
+def _offer(text: str) -> str:
+    """What would be understood: a sentence that begins alike, else an order and a lesson."""
+    if (typical := typical_sentence(text)) is not None:
+        return f'Sentences like "{typical.rstrip(" .!?")}" I understand.'
+    return f'I take orders, as "{ORDER}", and lessons, as "{LESSON}".'

@@ -9,7 +9,10 @@ import pytest
 
 from grammars import replies
 from grammars.errors import NotUnderstoodError
+from grammars.nearest import typical_sentence
+from grammars.parse import parse
 from grammars.replies import Said, discover, say
+from grammars.replies.not_understood import LESSON, ORDER
 from kernel.memory.lesson import Lesson, Operator, Rule
 from kernel.memory.meaning import Question, Social
 from kernel.memory.notation import read
@@ -466,17 +469,20 @@ def test_saw(reply: Saw, said: str) -> None:
     assert say(reply) == Said(said, said)
 
 
+OFFER = 'I take orders, as "drive forward", and lessons, as "to dance, turn left then turn right".'
+
+
 @pytest.mark.parametrize(
     ("error", "shown", "spoken"),
     [
         (
             NotUnderstoodError("zork", unknown_words=("zork",)),
-            "I don't know the word zork.",
+            f"I don't know the word zork. {OFFER}",
             "I don't know the word zork.",
         ),
         (
             NotUnderstoodError("zork a flib", unknown_words=("zork", "flib")),
-            "I don't know the words zork and flib.",
+            f"I don't know the words zork and flib. {OFFER}",
             "I don't know the words zork and flib.",
         ),
         (
@@ -484,11 +490,23 @@ def test_saw(reply: Saw, said: str) -> None:
             'I did not understand. I understood as far as "drive to". Did you mean "drive forward"?',
             "I did not understand. Did you mean: drive forward?",
         ),
-        (NotUnderstoodError("of of"), "I did not understand.", "I did not understand."),
+        (NotUnderstoodError("of of"), f"I did not understand. {OFFER}", "I did not understand."),
+        (
+            NotUnderstoodError("If interest rates fall", understood="If"),
+            'I did not understand. I understood as far as "If". '
+            'Sentences like "If something is a girl it is a person" I understand.',
+            "I did not understand.",
+        ),
     ],
 )
 def test_not_understood(error: NotUnderstoodError, shown: str, spoken: str) -> None:
     assert say(error) == Said(shown, spoken)
+
+
+def test_what_is_offered_is_understood() -> None:
+    for sentence in (ORDER, LESSON, *map(typical_sentence, ("if", "to", "who", "before", "never"))):
+        assert sentence is not None
+        parse(sentence)
 
 
 def test_every_kind_of_reply_has_a_renderer() -> None:

@@ -34,6 +34,13 @@ from grammars.vocabulary import BORN, lines, with_verb
         "drop the attitude",
         "stop Ireland",
         "touch nothing",
+        "ask no cup who is there",
+        "speak Greta",
+        "make a person",
+        "get",
+        "turn left everything in the box",
+        "leave out down",
+        "find out what sandwich the wall is",
         "grab nobody",
         "drive to no wall",
         "pick the up block",
@@ -87,6 +94,10 @@ def test_what_stands_together_by_chance_is_not_understood(text: str) -> None:
         ("press the up button", {"press", "up", "button"}),
         ("shout help is on the way", {"help is on the way"}),
         ("go on dancing", {"dance"}),
+        ("speak Portuguese", {"speak", "portuguese"}),
+        ("could you back up a little robot", {"back", "up", "a little"}),
+        ("find out what shape the block is", {"shape", "block"}),
+        ("turn right now", {"turn", "right"}),
         ("leave Ireland", {"leave", "ireland"}),
         ("grab Advil", {"grab", "advil"}),
         ("read the letter", {"read", "letter"}),
@@ -145,3 +156,10 @@ def test_what_one_is_or_is_doing_may_be_a_word_that_nobody_taught(text: str, kin
 def test_a_common_word_is_no_name(text: str) -> None:
     with pytest.raises(NotUnderstoodError):
         parse(text)
+
+
+@pytest.mark.parametrize(
+    "text", ["back up right now", "close the door right now", "raise the lift right now"]
+)
+def test_right_now_is_no_way(text: str) -> None:
+    assert parse(text).meaning == parse(text.removesuffix(" right now")).meaning
