@@ -33,6 +33,8 @@ ALSO: Final = "and_rest"  # what else the subject does: "if something is close a
 MARKS: Final = frozenset((WHOLE, ALSO, *REPLACES))
 # What a lesson is to do or to conclude is one thing; there only what is waited for may be this or that.
 ONE: Final = frozenset(("chain", "play", "conclusion", "whether"))
+CHOSEN: Final = frozenset(("chain", "play"))
+LEARNED: Final = ("procedure", "finding")  # of several ways one is chosen
 WATCHED: Final = frozenset(("until", "waiting"))
 APART: Final = 1000
 MOST: Final = 8  # lessons in one sentence
@@ -46,28 +48,32 @@ def is_single(said: AList) -> bool:
     return said.name not in MARKS and all(map(is_single, said.parts))
 
 
-def alternatives(said: AList) -> list[AList]:
+def alternatives(said: AList, one: frozenset[str] = ONE) -> list[AList]:
     """The same bracket once for each of its alternatives.
+
+    one: brackets that are one thing. What may be done in this way or that ("to celebrate, turn around or sing") is
+    taught twice.
 
     Raises:
         NoMeaningError: they stand where one thing is wanted, or are too many.
     """
     if is_single(said) and not said.has("several"):
         return [said]
-    if said.name in ONE:
+    one -= CHOSEN if said.name in LEARNED else frozenset()
+    if said.name in one or (said.name == "chain" and len(said.parts) > 1):
         raise NoMeaningError(str(said))
     found: list[AList] = []
     for body in _bodies(said):
         made: list[tuple[AList, ...]] = [()]
         for part in body:
-            made = [(*before, *more) for before in made for more in _of_part(part)]
+            made = [(*before, *more) for before in made for more in _of_part(part, one)]
         found += [AList(said.name, parts, said.value) for parts in made]
     if len(found) > MOST:
         raise NoMeaningError(str(said))
     return list(dict.fromkeys(found))
 
 
-def _of_part(part: AList) -> list[tuple[AList, ...]]:
+def _of_part(part: AList, one: frozenset[str]) -> list[tuple[AList, ...]]:
     """Each alternative of a part, as the parts that stand in its place. What is denied of both is denied of each: "if
     you are not holding a cup or a mug"."""
     if part.name == "several":  # "never touch the cup and the mug"
@@ -75,11 +81,11 @@ def _of_part(part: AList) -> list[tuple[AList, ...]]:
     if (also := part.find(ALSO)) is not None:
         first = AList(part.name, tuple(inner for inner in part if inner is not also))
         second = AList(part.name, (_again(part.parts[0]), *also.parts))
-        return [(*one, *more) for one in _of_part(first) for more in _of_part(second)]
-    found = alternatives(part)
+        return [(*a, *b) for a in _of_part(first, one) for b in _of_part(second, one)]
+    found = alternatives(part, one)
     if part.name == "clause" and _is_denied(part):
         return [tuple(found)]
-    return [(one,) for one in found]
+    return [(other,) for other in found]
 
 
 def _again(subject: AList) -> AList:
@@ -123,7 +129,7 @@ def _replaced(body: tuple[AList, ...]) -> Iterator[tuple[AList, ...]]:
 
 def one_each(several: AList) -> list[AList]:
     """ "Grab the box and the ball": the same done to each."""
-    things = several.all("np") or several.all("dest")
+    things = several.all("np") or several.all("dest") or several.all("dir")
     same = [part for part in several if part not in things]
     return [AList("action", (same[0], thing, *same[1:])) for thing in things]
 

@@ -15,18 +15,20 @@ from grammars.chains import (
     one_by_one,
     particles,
     plays,
-    there_too,
+    that_too,
+    turned,
     turns,
     waited,
     whole,
 )
 from grammars.clauses import flat, names, put_nowhere, stated
 from grammars.errors import NoMeaningError
-from grammars.manners import SIZES, bounded, manner, not_too
+from grammars.manners import SIZES, bounded, manner, not_too, resulting
 from grammars.mentions import (
     OWNING,
     SELF_OWN,
     Thing,
+    but,
     is_addressed,
     is_person,
     is_time,
@@ -45,6 +47,7 @@ __all__ = ["Build", "NoMeaningError", "particles"]
 WONDERS: Final = {"what_like": "hq", "what_kind": "ako", "whereabout": "loc"}
 UNQUOTED: Final = frozenset("it them that this at to from for along out".split())
 VOICES: Final = {"loud": "loudly", "quiet": "quietly"}
+TAKEN: Final = frozenset("bow look nap rest spin walk stroll ride peek swing stretch".split())
 STEP: Final = "step"
 LETTING_GO: Final = ("release", "drop")  # everything: all that it holds
 
@@ -59,6 +62,8 @@ class Build(Things):
             act = self._speech(speech)
             self.modifiers(act, action)
             return act
+        if action.has("side_turn"):
+            action = turned(action)
         if action.value is not None:
             action = AList(action.name, (AList("act", value=action.value),))
         verb, way = self._verb(action)
@@ -94,6 +99,8 @@ class Build(Things):
         if action.has("letgo"):
             return "release", ""
         paces = action.find("paces")
+        if paces is not None and paces.value in TAKEN:  # "take a bow"
+            return paces.value or "", ""
         if paces is not None and STEP not in (paces.value, paces.slot("verb"), paces.slot("verbs")):
             raise NoMeaningError(str(action))  # "take a break"
         verb = action.slot("act", STEP)
@@ -114,6 +121,8 @@ class Build(Things):
             self.times = whole(number.value or "")
         kind = (AList("ako", value="person"),) if every.has("each_person") else ()
         said = tuple(part for part in every if part.name not in ("num", "each_person"))
+        if (left_out := every.find("excepting")) is not None:
+            said = (*(part for part in said if part is not left_out), but(left_out))
         name = self.thing(AList("np", (*kind, *said)))
         self.sketch.change(name, ref="each")
         self.each = self.sketch.graphlet(name, *(term.name for term in self.finds.pop().terms))
@@ -155,12 +164,14 @@ class Build(Things):
                 self.add("cnt", literal=f"{whole(part.slot('num'))}", cnt=act)  # "do two jumps"
             elif part.name == "turns":
                 self.add("amt", "degree", literal=f"{turns(part) * 360:g}", amt=act)
-            elif part.name == "paces":
+            elif part.name == "paces" and part.value not in TAKEN:
                 self.add("cnt", literal=part.slot("num", "1"), cnt=act)
             elif part.name == "size" and part.value is None:  # "as far as it will go"
                 self.add("deg", "fully", deg=act)
             elif part.name == "size":
                 self.add("deg", SIZES.get(part.value or "", "little"), deg=act)
+            elif part.name == "resulting":
+                resulting(self, act, part)
             elif part.name == "place":
                 self._placed(act, part.first("loc"))
 
@@ -260,6 +271,8 @@ class Build(Things):
     def chain(self, chain: AList) -> Chain:
         """Plays one after another; look-ups come before the play that needs them."""
         made: list[Play] = []
+        if len(chain.parts) > 1 and any(part.has("over_all") for part in chain):
+            raise NoMeaningError(str(chain))
         for part in chain:
             if (several := part.find("several")) is not None:
                 made += self.chain(one_by_one(several)).plays
@@ -269,8 +282,10 @@ class Build(Things):
                 made += plays(self, part)
             elif part.name == "chain":
                 made += self.chain(part).plays
-            elif (loc := part.find("loc")) is not None:  # "look on the bed, then under it"
-                made += self.chain(there_too(chain, part, loc)).plays
+            elif part.name == "elliptic" and not part.has(
+                "barely"
+            ):  # "look on the bed, then under it"
+                made += self.chain(that_too(chain, part)).plays
             elif part.name == "elliptic":  # "turn left then right"
                 made += self.chain(bare_chain(part)).plays
         return Chain(tuple(made))

@@ -25,6 +25,7 @@ P = TypeVar("P", Directive, Loop)
 TURNS: Final = frozenset(("left", "right", "clockwise", "counterclockwise", "around"))
 TURNING: Final = frozenset("turn rotate spin swivel pivot twirl circle twist revolve roll".split())
 TIMES: Final = frozenset(("second", "minute", "hour"))
+HOLDING: Final = frozenset("hold carry have see hear".split())
 FRACTIONS: Final = {"quarter": 0.25, "half": 0.5}
 LIFTS: Final = {"up": "raise", "down": "lower"}
 
@@ -62,13 +63,20 @@ def plays(build: Build, play: AList) -> list[Play]:
             case "action" | "acting":
                 with build.drawing(pattern=False):
                     required.append(Directive("DO", build.graphlet(build.action(part))))
+            case "acting_too":
+                if (doing := part.first("acting")).slot("act") in HOLDING:  # so long as it holds it
+                    raise NoMeaningError(str(part))
+                with build.drawing(pattern=False):
+                    required.append(Directive("DO", build.graphlet(build.action(doing))))
             case "inquiry" if (asked := part.find("who_where")) is not None:
                 found = AList("action", (AList("act", value="find"), somebody(asked.first("loc"))))
                 with build.drawing(pattern=False):
                     required.append(Directive("DO", build.graphlet(build.action(found))))
             case "inquiry":
                 required.append(build.inquired(part))
-            case "loop":
+            case "over_all" if len(part.first("chain").parts) < 2:
+                raise NoMeaningError(str(part))
+            case "loop" | "over_all":
                 required.append(_loop(build, part))
             case "kept" if _is_odd_keeping(part.first("keeping")):
                 raise NoMeaningError(str(part))
@@ -194,15 +202,33 @@ def waited(delayed: AList) -> AList:
     return AList("chain", tuple(AList("play", (a,)) for a in (wait, now)))
 
 
-def there_too(chain: AList, elliptic: AList, loc: AList) -> AList:
-    """The step before, at another place."""
+def that_too(chain: AList, elliptic: AList) -> AList:
+    """The step before, at another place, to somewhere else or upon another thing: "then under it", "then the blue
+    one"."""
     at = chain.parts.index(elliptic)
     done = [part for before in chain.parts[:at] for part in before.walk() if part.name == "action"]
-    if not done or not done[-1].has("place"):
+    new = elliptic.first("loc", "dest", "np", "manner", "amt")
+    if new.name == "loc":
+        new = AList("place", (new,))
+    if not done or not done[-1].has(new.name):
         raise NoMeaningError(str(elliptic))
-    same = [part for part in done[-1] if part.name != "place"]
-    action = AList("action", (*same, AList("place", (loc,))))
+    old = done[-1].first(new.name)
+    if new.name == "np" and new.has("one"):
+        kind = [part for part in old if part.name in ("ako", "akos", "sub")]
+        new = AList(
+            "np", tuple(p for part in new for p in (kind if part.name == "one" else [part]))
+        )
+    action = AList("action", tuple(new if part is old else part for part in done[-1]))
     return AList("chain", (AList("play", (action,)),))
+
+
+def turned(action: AList) -> AList:
+    """ "Take a left": turn left."""
+    side, *rest = action.parts
+    way = side.slot("dir") or side.value
+    if way not in TURNS:
+        raise NoMeaningError(str(action))
+    return AList("action", (AList("act", value="turn"), AList("dir", value=way), *rest))
 
 
 def turns(turns: AList) -> float:

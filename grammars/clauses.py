@@ -156,6 +156,8 @@ def _exists(build: Build, exists: AList) -> str:
     if here := exists.slot("hereabouts"):
         build.add("loc", here, loc=name)
     negated = build.negative or exists.has("neg")
+    if (near := exists.find("qual")) is not None:  # "there is nobody around"
+        return build.quality(name, near, negated)
     said = [build.sketch.terms[n] for n in build.board[before:] if build.sketch.terms[n].links]
     for role in ("loc", "hq", "ako") if negated else ("hq", "loc", "ako"):
         for term in said:
@@ -211,6 +213,8 @@ def _doing(build: Build, part: AList, agent: str, objects: list[AList], negated:
     build.modifiers(act, rest)
     for time in times:
         it_is(build, time)
+    if body is part and part.has("num"):  # "the clock strikes twelve"
+        build.add("amt", literal=part.slot("num"), amt=act)
     if going is not None and body is part and objects:
         build.add(
             "act",

@@ -10,11 +10,21 @@ if TYPE_CHECKING:
     from grammars.things import Things
 
 MUCH: Final = {"a bit": "little", "a little": "little", "slightly": "little", "even": "even"}
+# "Within ten inches", "more than two feet away".
+APART: Final = {"nearer": "close", "farther": "far"}
 SAME: Final = "same"
 
 
 def comparison(build: Things, name: str, compared: AList, negated: bool) -> str:
     """Say of a thing how it compares with another; the node of that."""
+    apart = compared.find(*APART) or compared
+    if (measure := apart.find("measure")) is not None:  # "closer than ten inches"
+        hq = build.add(
+            "hq", APART.get(apart.name) or compared.slot("adjer"), hq=name, negated=negated
+        )
+        build.add("deg", "more", deg=hq)
+        build.add("amt", measure.slot("unit"), literal=measure.slot("num"), amt=hq)
+        return hq
     other = build.aside(compared.first("np"))
     roles = {"hq": name, "as": other}
     if (alike := compared.find("alike")) is not None:

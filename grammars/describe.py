@@ -92,8 +92,9 @@ def _words(meaning: Meaning) -> set[str]:
 
 
 def _implied(parsed: Parsed) -> set[str]:
-    """Words that a sentence of one word leaves out: "forward" is driving."""
+    """Words that a sentence of one word leaves out: "forward" and "reverse" are driving."""
     bare = any(part.name == "bare" for part in parsed.alist.walk())
+    bare = bare or len(parsed.text.split()) == 1
     return {"drive", "turn", "raise", "lift"} if bare else set()
 
 

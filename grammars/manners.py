@@ -14,6 +14,7 @@ if TYPE_CHECKING:
 
 PACES: Final = {"at_full_speed": "fast", "at_low_speed": "slowly"}
 BOUNDS: Final = {"over": "over", "under": "under", "up_to": "at most"}
+COMPARED: Final = {"over": ">", "under": "<"}
 _LITTLE: Final = ("deg", "little")
 NOT_TOO: Final = {
     **dict.fromkeys(("far", "much", "high", "low", "long", "wide"), _LITTLE),
@@ -22,6 +23,8 @@ NOT_TOO: Final = {
     **dict.fromkeys(("loudly", "loud"), ("mod", "quietly")),
     "slowly": ("mod", "quickly"),
 }
+RESULTS: Final = frozenset("leave hold push pull paint slam kick prop bend".split())
+ENDS: Final = frozenset("open closed shut on off locked unlocked".split())
 SIZES: Final = {
     "all the way": "fully",
     "completely": "fully",
@@ -36,11 +39,16 @@ SIZES: Final = {
 
 
 def bounded(build: Things, amt: str, said: AList) -> None:
-    """ "Above ten inches". What a deed is matched with cannot be so: it would match no other amount."""
+    """ "Above ten inches"; what a deed is matched with is a comparison (kernel.net.match)."""
     bound = next((word for name, word in BOUNDS.items() if said.has(name)), "")
-    if bound and (build.trigger or (said.has("under") and not build.pattern)):
+    if bound and build.trigger:
+        if bound not in COMPARED:
+            raise NoMeaningError(str(said))
+        number = build.sketch.terms[amt].literal
+        build.sketch.change(amt, literal=f"{COMPARED[bound]} {number}")
+    elif bound == "under" and not build.pattern:
         raise NoMeaningError(str(said))
-    if bound:
+    elif bound:
         build.add("deg", bound, deg=amt)
 
 
@@ -67,3 +75,11 @@ def manner(build: Things, act: str, said: AList) -> None:
         build.add("deg", "more", deg=mod)
     for deg in said.all("deg"):
         build.add("deg", degree(deg.value or ""), deg=mod)
+
+
+def resulting(build: Things, act: str, said: AList) -> None:
+    """How it is left: "leave the door open"; nobody leaves luggage unattended here."""
+    word = said.value or ""
+    if build.sketch.terms[act].lex.isdisjoint(RESULTS) or word not in ENDS:
+        raise NoMeaningError(str(said))
+    build.add("mod", word, mod=act)

@@ -6,14 +6,24 @@ from dataclasses import dataclass
 from typing import Final
 
 from grammars.alist import AList
+from grammars.errors import NoMeaningError
 from grammars.morphology import gerund
 from grammars.sorts import is_abstract, is_bare, is_nothing, kind
 from grammars.usage import TIMES_OF_DAY
 from grammars.vocabulary import BORN
 
 SELF: Final = {"you": "you", "yourself": "you", "me": "me", "i": "me", "mine": "me", "yours": "you"}
-SELF_OWN: Final = {"my": "me", "your": "you"}
-OWNING: Final = {"his": "he", "her": "she", "its": "it", "their": "they", "our": "we"}
+SELF_OWN: Final = {"my": "me", "your": "you", "mine": "me", "yours": "you"}
+OWNING: Final = {
+    "his": "he",
+    "her": "she",
+    "its": "it",
+    "their": "they",
+    "our": "we",
+    "hers": "she",
+    "theirs": "they",
+    "ours": "we",
+}
 ALIKE: Final = {"him": "he", "her": "she", "them": "they", "these": "this", "those": "that"}
 ASKING: Final = frozenset(
     "who what where when why how which whose may can could will would shall should is are do does did".split()
@@ -160,3 +170,16 @@ def is_addressed(verb: str, speech: AList) -> bool:
 def may_be_person(np: AList) -> bool:
     """It may tell of a person, or of one who talks: not the rain, and nobody without an article or a name."""
     return not is_bare(np) and not is_abstract(np)
+
+
+def but(left_out: AList) -> AList:
+    """ "Except the blue one": that is not blue."""
+    pred = left_out.find("pred") or AList("pred", (left_out.first("qual"),))
+    return AList("rel", (AList("neg", value="not"), pred))
+
+
+def with_apposed(np: AList, apposed: AList) -> AList:
+    """ "The cup, the red one": the red cup."""
+    if np.has("qual"):  # "the blue cup, the red one" are two
+        raise NoMeaningError(str(np))
+    return AList("np", (*(part for part in np if part is not apposed), *apposed.parts))

@@ -44,7 +44,7 @@ _NOUNS: Final = """
 person people; man men; woman women; child children; foot feet; tooth teeth; mouse mice
 goose geese; ox oxen; knife knives; wife wives; life lives; half halves; shelf shelves; leaf leaves
 wolf wolves; thief thieves; loaf loaves; calf calves; self selves; elf elves; scarf scarves
-potato potatoes; tomato tomatoes; hero heroes; echo echoes; torpedo torpedoes; sheep sheep
+potato potatoes; tomato tomatoes; hero heroes; echo echoes; torpedo torpedoes; sheep sheep; percent percent
 fish fish; deer deer; series series; scissors scissors; pants pants; trousers trousers; lens lenses
 gas gases; quiz quizzes; fireman firemen; policeman policemen; grandchild grandchildren
 postman postmen; advil advil; music music; news news; furniture furniture; inch inches; bus buses

@@ -61,6 +61,11 @@ WHOLE = {
     "til": "until",
     "firstly": "first",
     "heres": "here is",
+    "favour": "favor",
+    "favourite": "favorite",
+    "colour": "color",
+    "colours": "colors",
+    "neighbour": "neighbor",
     "hes": "he is",
     "couldnt": "could not",
     "wouldnt": "would not",
@@ -78,6 +83,7 @@ IS_ONLY: Final = frozenset(
 REPAIRABLE: Final = ("DIR", "ADV", "UNIT", "ADJ", "NOUN", "PROPER", "VERB")
 
 
+UNFINISHED: Final = frozenset("the a an my your his their our".split())
 ABBREVIATED: Final = frozenset("mr mrs ms dr prof deg ft cm mm min mins sec secs".split())
 THANKING: Final = ("thanks", "thank")
 COUNTING: Final = frozenset("there is are was were has have had with see means say".split())
@@ -121,7 +127,16 @@ def pieces(text: str) -> list[Piece]:
     while found and found[-1].kind in ("end", "comma"):
         found.pop()
     found = [piece for at, piece in enumerate(found) if not _abbreviates(found[:at], piece)]
-    return _numbers([piece for piece in found if piece.text not in FILLERS])
+    return _numbers(_flowing([piece for piece in found if piece.text not in FILLERS]))
+
+
+def _flowing(found: Sequence[Piece]) -> list[Piece]:
+    """Without commas where a thing has only begun: "go to the, um, kitchen"."""
+    made: list[Piece] = []
+    for piece in found:
+        if not (piece.kind == "comma" and made and made[-1].text in UNFINISHED):
+            made.append(piece)
+    return made
 
 
 def _abbreviates(before: Sequence[Piece], piece: Piece) -> bool:
@@ -216,6 +231,11 @@ def repaired_by_speaker(
     texts = _texts(found)
     for marker in (
         ["no", "i", "mean"],
+        ["sorry", ",", "i", "meant"],
+        ["sorry", "i", "meant"],
+        ["no", "sorry"],
+        ["wait", "no"],
+        ["i", "meant"],
         ["make", "that"],
         ["i", "mean"],
         ["no", "wait"],

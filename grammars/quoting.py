@@ -7,11 +7,12 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import replace
-from itertools import groupby
+from itertools import groupby, pairwise
 from typing import Any, Final
 
 from grammars.errors import BrokenOffError
 from grammars.lattice import Token, guessed
+from grammars.mentions import FINITE
 from grammars.ranking import Leaf, Tree
 from grammars.sorts import abstract_words
 from grammars.source import set_categories
@@ -20,6 +21,11 @@ Derive = Callable[[Sequence[Token], str], Any]
 
 NEVER_SAID: Final = frozenset(("whenever", "unless"))  # words that a quote hardly ever holds
 CONDITIONALS: Final = frozenset("if when whenever unless until while".split())
+OCCASIONS: Final = CONDITIONALS | {"after", "before", "once"}
+# How a clause about somebody else begins.
+THIRD: Final = frozenset(
+    "the a an my his her its their our this that he she it somebody someone something anybody anyone nobody".split()
+)
 # After these anything is a quote; "tell me", though, mostly asks for what the robot knows.
 LITERALLY: Final = frozenset("say saying tell telling ask asking".split())
 RECITING: Final = frozenset("recite reciting".split())
@@ -48,9 +54,23 @@ def _swallows(tokens: Sequence[Token], derive: Derive) -> bool:
     """It runs on over a condition: "say hi unless Mary is near" says no such thing."""
     return any(
         token.piece.text in NEVER_SAID
-        or (token.piece.text in CONDITIONALS and _derives(tokens[at + 1 :], "conds", derive))
+        or (
+            token.piece.text in OCCASIONS
+            and (_is_of_another(tokens[at + 1 :]) or _derives(tokens[at + 1 :], "conds", derive))
+        )
         for at, token in enumerate(tokens[:-1])
         if at > 0
+    )
+
+
+def _is_of_another(tokens: Sequence[Token]) -> bool:
+    """It begins as a clause about a third person or a thing, whatever that does: "the clock strikes twelve"."""
+    about = tokens[0].piece.text in THIRD or "PROPER" in tokens[0].readings
+    return about and any(
+        token.piece.text in FINITE
+        or token.readings.keys() & {"STATES", "VERBS"}
+        or ("STATE" in token.readings and "NOUNS" in before.readings)
+        for before, token in pairwise(tokens)
     )
 
 

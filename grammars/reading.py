@@ -119,7 +119,8 @@ class Reader:
         # Where reading broke off before the first strange word, another word in its place cannot help.
         if 0 < len(strange) <= MOST_REPAIRED and strange[0] <= self.reached:
             yield from self.repaired(found, strange, likely=True)
-            if sum(not found[at].capital for at in strange) <= 1:  # names with a capital are known
+            unknown = {found[at].text for at in strange if not found[at].capital}
+            if len(unknown) <= 1:  # names with a capital are known
                 yield from self.read(found, guessing=True)
             yield from self.repaired(found, strange, likely=False)
 

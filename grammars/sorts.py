@@ -76,6 +76,8 @@ def agrees(np: AList) -> bool:
     det = np.slot("det")
     if np.slot("sub") and np.slot("sub") == kind(np):  # "a block block"
         return False
+    if np.has("numbered") and kind(np) not in classes()["numbered"]:  # "page two"
+        return False
     return not (det in ONE and np.has("akos")) and not (det in SEVERAL and np.has("ako"))
 
 

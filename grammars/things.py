@@ -30,6 +30,7 @@ from grammars.mentions import (
     is_definite,
     is_person,
     place_word,
+    with_apposed,
 )
 from grammars.relatives import relative
 from grammars.sorts import agrees, is_nothing
@@ -99,12 +100,17 @@ class Things:
         """Node of the thing a noun phrase means."""
         if np.value is not None and np.name == "np":
             raise NoMeaningError(str(np))
+        if (apposed := np.find("apposed")) is not None:
+            np = with_apposed(np, apposed)
         pron = np.slot("pron") or np.slot("pronoun")
         if pron in SELF:
             return self.oneself(SELF[pron])
         if pron:
             return self.pronoun(pron)
-        det, kind = np.slot("det"), np.slot("ako") or np.slot("akos")
+        det, kind = (
+            np.slot("det"),
+            " ".join(filter(None, (np.slot("ako") or np.slot("akos"), np.slot("numbered")))),
+        )
         if (np.has("name") or det in ("the", "that", "this")) and (same := self._same(np, kind)):
             return same
         return self._described(np, det, kind, person)
@@ -129,8 +135,8 @@ class Things:
         landmark; else one to be looked up."""
         personal = word in PERSONAL
         newest = self.things[::-1]
-        fitting = [thing for thing in newest if thing.may_be(word)]
-        if not fitting and not personal:  # "if a baby is crying, rock it"
+        fitting = [thing for thing in newest if thing.may_be(word) and word != "we"]
+        if not fitting and not personal and word != "we":  # "if a baby is crying, rock it"
             fitting = [thing for thing in newest if not thing.called]
         for thing in sorted(fitting, key=lambda thing: (thing.name != self.topic, thing.aside)):
             thing.person = thing.person or personal
@@ -173,6 +179,7 @@ class Things:
         anybody = vague in PERSON_WORDS and self.trigger
         of_owner = any(rel.find("owner_of", "of_owner") is not None for rel in np.all("rel"))
         ref = "somebody" if anybody else "one" if np.has("one") else REFS.get(det, "")
+        ref = "the" if np.has("numbered") and not det else ref
         ref = "" if ref == "the" and of_owner else ref  # "the cup of Mary's brother" is his cup
         place = "PLACE" in BORN.readings(called)
         person = (bool(called) and not place) or person or kind in PERSONS or vague in PERSON_WORDS
@@ -241,6 +248,8 @@ class Things:
             return self.quality(name, made, negated)
         if pred.has("qual"):
             main, *_ = [self.quality(name, part, negated) for part in pred.all("qual")]
+            if (about := pred.find("loc")) is not None:  # "afraid of dogs"
+                self.place("loc", main, about)
             return main
         if (kindof := pred.find("kindof")) is not None:
             return self._kind_of(name, kindof, negated)

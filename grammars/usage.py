@@ -228,7 +228,7 @@ def _takes(action: AList, obj: AList, uses: frozenset[str], pattern: bool) -> bo
     if (bare and quals & BEHIND) or (quals & WORKED and kind(obj) not in classes()["switches"]):
         return False  # "never pick up pins" is about no "up pins", nor "pick the up block"
     if obj.slot("own") == "your" and (kind(obj) in persons_own() or obj.slot("akos") in SINGLE):
-        return False
+        return "taking" in uses and kind(obj) in classes()["belongings"]
     if not WAYS.isdisjoint(before) and (bare or named or obj.has("pron") or "steering" in uses):
         return False
     if (bare and not uses.isdisjoint(("steering", "apart"))) or (

@@ -34,6 +34,9 @@ _SIZES: Final = {
 _APPROXIMATE: Final = ("around", "about")
 # Directions said before what they lead past: "go out the door".
 _LEADING: Final = ("out", "in", "inside", "off", "over", "down", "up")
+BOUNDED: Final = {">": "over ", "<": "under "}
+# They stand before a particle: "put it back".
+_PRONOUNS: Final = [["it"], ["them"], ["him"], ["her"], ["me"], ["you"], ["that"], ["this"]]
 _COUNTS: Final = {"1": "once", "2": "twice"}
 _KNOWN_ROLES: Final = ("agt", "obj", "dest", "cmd")
 
@@ -50,11 +53,11 @@ def deed(telling: Telling, name: str, form: VerbForm = "base", told: bool = Fals
     """
     term = telling.term(name)
     telling.stated.add(name)
-    words = [
-        word(term) or "do something",
-        *_arguments(telling, term, told),
-        *_modifiers(telling, term),
-    ]
+    verb, _, particle = (word(term) or "do something").partition(" ")
+    arguments = _arguments(telling, term, told)
+    parted = bool(particle) and arguments[:1] in _PRONOUNS and linked(term, "obj") != ""
+    said = [arguments[0], particle, *arguments[1:]] if parted else [particle, *arguments]
+    words = [verb, *filter(None, said), *_modifiers(telling, term)]
     return _FORMS[form](" ".join(words))
 
 
@@ -129,5 +132,9 @@ def _amount(telling: Telling, term: Term, verb: str) -> str:
     number = term.literal or "1"
     if not unit and verb == "count":
         return f"to {number}"
+    if number[:1] in BOUNDED:
+        bound, number = BOUNDED[number[:1]], number[1:].strip()
+    if not unit:  # "strikes 12"
+        return number
     lasting = unit in TIMES and verb not in _WAITING
     return f"{'for ' if lasting else ''}{bound}{number} {unit if number == '1' else plural(unit)}"

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import Final
 
-from grammars.hedges import BELIEF
+from grammars.hedges import BELIEF, PREFERENCE
 from grammars.morphology import plural
 from grammars.render.alike import either
 from grammars.render.clauses import conditions, naming
@@ -15,6 +15,7 @@ from grammars.render.things import thing
 from kernel.memory.lesson import Operator, Rule
 from kernel.net.graphlet import Graphlet, Term
 
+CHOOSING: Final = ("DO", "FIND", "CHK", "ACH")  # of several operators one is chosen
 _HEDGES: Final = {value: words for words, value in reversed(BELIEF.items())} | {1.0: ""}
 
 
@@ -37,10 +38,21 @@ def taught(contents: tuple[Operator | Rule, ...], voice: Voice) -> str:
     ]
     if not differing:
         return str(first)
+    ways = [isinstance(one, Operator) and one.trigger.tag in CHOOSING for one in contents]
+    if differing == ["rest"] and all(ways):  # "to celebrate, turn around or sing"
+        return str(first) + "".join(f" or {_without_lead(one.rest)}" for one in others)
     if len(differing) > 1 or differing == ["rest"]:
         return ", and ".join(map(str, said))
     name = differing[0]
     return str(replace(first, **{name: either([getattr(one, name) for one in said])}))
+
+
+def _without_lead(rest: str) -> str:
+    """What is to be done, without "you could"."""
+    words = rest.removeprefix(", ").split(" ")
+    while words[0] in ("you", "I", "will", "always", *PREFERENCE):
+        del words[0]
+    return " ".join(words)
 
 
 def _rule(content: Rule, voice: Voice) -> Wording:

@@ -95,9 +95,15 @@ def quality(telling: Telling, term: Term) -> str:
     if any(word(d) == "most" for d in degrees):
         return superlative(word(term))
     if any(word(d) == "more" for d in degrees):
-        return comparative(word(term))
+        return comparative(word(term)) + "".join(map(_measure, telling.take(term.name, "amt")))
     said = "".join(_DEGREES.get(word(d), word(d)) + " " for d in degrees) + word(term)
     return f"made of {said}" if _is_material(term) else said
+
+
+def _measure(amount: Term) -> str:
+    """ "Closer than 10 inches"."""
+    number, unit = amount.literal or "1", word(amount)
+    return f" than {number} {unit if number == '1' else plural(unit)}"
 
 
 def _is_material(term: Term) -> bool:
@@ -221,7 +227,10 @@ def _own_doings(telling: Telling, name: str) -> list[Term]:
         for term in telling.about(name, "agt")
         if {role for role, _ in term.links} <= {"agt", "obj"}
         and not telling.is_main(term.name)
-        and not any(term.name in {o for _, o in other.links} for other in telling.terms.values())
+        and not any(
+            term.name in {o for r, o in other.links if r != "dir"}
+            for other in telling.terms.values()
+        )
     ]
     telling.hold_back(found)
     return found
@@ -232,8 +241,9 @@ def _at_it(telling: Telling, term: Term) -> str:
     known = BORN.readings(word(term))
     stays = "STATE" in known and "VERB" not in known
     verb = third_person(word(term)) if stays else f"is {gerund(word(term))}"
-    done = f"that {verb} {thing(telling, linked(term, 'obj')) if linked(term, 'obj') else ''}"
-    return f"{done.strip()}"
+    what = thing(telling, linked(term, "obj")) if linked(term, "obj") else ""
+    ways = (word(way) for way in telling.take(term.name, "dir"))
+    return " ".join(filter(None, ("that", verb, what, *ways)))
 
 
 def with_kind(telling: Telling, term: Term) -> str:

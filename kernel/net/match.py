@@ -2,12 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator, Mapping
+from collections.abc import Callable, Collection, Iterator, Mapping
+from operator import gt, lt
+from typing import Final
 
 from kernel.net.graphlet import Graphlet, Term
 from kernel.net.node import Net, Node
 
 Binding = dict[str, Node]
+# How an amount in a pattern may be bounded.
+BOUNDS: Final[dict[str, Callable[[float, float], bool]]] = {">": gt, "<": lt}
 
 
 def matches(
@@ -58,6 +62,19 @@ def holds(
     return next(matches(graphlet, net, depth, bound, threshold), None) is not None
 
 
+def _is_so(wanted: str, literal: str | None) -> bool:
+    """The same words or number, or a number within the bound that is wanted: "> 10"."""
+    if literal == wanted or literal is None:
+        return literal == wanted
+    bound, _, number = wanted.partition(" ")
+    if bound not in BOUNDS:
+        return False
+    try:
+        return BOUNDS[bound](float(literal), float(number))
+    except ValueError:
+        return False
+
+
 class _Matcher:
     __slots__ = ("depth", "net", "supposed", "threshold")
 
@@ -105,7 +122,7 @@ class _Matcher:
             (node.level > self.depth and node not in self.supposed)
             or node.negated != term.negated
             or node.belief < self.threshold
-            or (term.literal is not None and node.literal != term.literal)
+            or (term.literal is not None and not _is_so(term.literal, node.literal))
         ):
             return False
         for word in term.lex:

@@ -133,7 +133,8 @@ def test_a_literal_has_to_be_the_same_and_denial_too() -> None:
     net = Net()
     amount = net.new("amt", "inch")
     amount.literal = "10"
-    for literal, fits in (("10", True), ("5", False), (None, True)):
+    bounds = (("> 9.5", True), ("> 10", False), ("< 12", True), ("< 9", False), ("< few", False))
+    for literal, fits in (("10", True), ("5", False), (None, True), *bounds):
         term = Term("amt-1", frozenset({"inch"}), literal)
         assert holds(Graphlet((term,), "amt-1"), net, WORKING) is fits
     assert not holds(
