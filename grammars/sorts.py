@@ -118,4 +118,6 @@ def is_country(np: AList) -> bool:
 
 def may_receive(np: AList) -> bool:
     """Something is given to somebody in particular, or to people: "give people flowers", and not "give walls paint"."""
+    if is_country(np):
+        return False
     return not is_bare(np) or not BORN.knows(kind(np)) or "PERSON" in BORN.readings(kind(np))

@@ -231,6 +231,9 @@ def _takes(action: AList, obj: AList, uses: frozenset[str], pattern: bool) -> bo
         return "taking" in uses and kind(obj) in classes()["belongings"]
     if not WAYS.isdisjoint(before) and (bare or named or obj.has("pron") or "steering" in uses):
         return False
+    digit = bare and not obj.has("qual") and (obj.has("one") or kind(obj) == "one")
+    if digit and "keyed" in uses:  # "press one for sales"
+        return False
     if (bare and not uses.isdisjoint(("steering", "apart"))) or (
         "self" in uses and (named or obj.slot("pron") == "you")
     ):
