@@ -20,6 +20,7 @@ from functools import partial
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
+import numpy as np
 from rich.console import Console
 from rich.table import Table
 
@@ -47,6 +48,8 @@ PAUSES_S = {"lessons": (0.4, 0.8, 1.2)}
 LISTS = ("demonstration", "heldout", "others", "wide", "lessons", "managing", "chatter", "near")
 COLUMNS = ("whole", "of", "%", "lag s", "stop s", "wrong", "per s")
 TAIL_S = 0.5
+APART_S = 2.5
+"""Silence between two recordings: what follows an unclear lesson at once would be the rest of it."""
 TAUGHT = Vocabulary(BORN.born, {"widdershins": {"DIR": "widdershins"}})
 RED = read("ako-1 -lex- block\n-ako-> obj-1\nhq-1 -lex- red\n-hq-> obj-1")
 ASKED = AskWhich(RED, (RED,)) if isinstance(RED, Graphlet) else None
@@ -151,9 +154,10 @@ def measure(
     for text, path in recordings:
         samples = recording.read(path)
         length_s = len(samples) / RATE_HZ
+        apart = np.concatenate([samples, np.zeros(round(APART_S * RATE_HZ), samples.dtype)])
         began = time.perf_counter()
         judge = partial(parses, asked=ASKED if name == "managing" else None)
-        events: list[HearingEvent] = list(transcriber.transcribe(samples, judge))
+        events: list[HearingEvent] = list(transcriber.transcribe(apart, judge))
         found.spent_s += time.perf_counter() - began
         found.sound_s += length_s
         found.count += 1

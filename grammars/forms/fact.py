@@ -7,6 +7,7 @@ from typing import Final
 from grammars.alist import AList
 from grammars.build import Build, NoMeaningError
 from grammars.clauses import clause
+from grammars.manners import NOT_TOO
 from grammars.mentions import OWNING, is_definite, is_person, is_time, may_be_person
 from grammars.registry import sentence_form
 from grammars.sorts import is_abstract
@@ -170,7 +171,14 @@ def _is_remark(said: AList, pron: str) -> bool:
         return False
     kindof, qual = pred.find("kindof"), pred.find("qual")
     told_kind = pron in IT and kindof is not None and is_abstract(kindof)
-    return told_kind or (qual is not None and qual.value is not None)
+    return told_kind or (qual is not None and (qual.value is not None or _is_verdict(pron, qual)))
+
+
+def _is_verdict(pron: str, qual: AList) -> bool:
+    """ "That's too loud": of what was done, as no thing is too fast."""
+    way = qual.slot("hq")
+    too = any(deg.value == "too" for deg in qual.all("deg"))
+    return too and pron in IT and not NOT_TOO.keys().isdisjoint((way, f"{way}ly"))
 
 
 def _is_saying(said: AList, subject: AList) -> bool:

@@ -7,9 +7,12 @@ from grammars.build import Build, NoMeaningError
 from grammars.clauses import condition, exception
 from grammars.hedges import preference
 from grammars.registry import sentence_form
+from grammars.render.clauses import conditions
+from grammars.render.telling import Telling
 from kernel.action.chain import Directive
 from kernel.memory.lesson import Operator
 from kernel.memory.meaning import Teach
+from kernel.net.graphlet import Graphlet
 
 EXAMPLES = (
     "If something is very close then drive backwards",
@@ -22,6 +25,7 @@ EXAMPLES = (
     "say bless you when someone sneezes",
     "if you fail to grab something say oops",
     "When you can't do something, say sorry.",
+    "if you see a spider, let me know",
 )
 
 
@@ -34,7 +38,7 @@ def reaction(alist: AList) -> Teach:
     if alist.parts[0].name == "chain" and _asks_nothing(alist.parts[0]):
         raise NoMeaningError("what follows is the question")
     trigger = condition(build, conds[0] if len(conds) == 1 else AList("conds", tuple(conds)))
-    chain = build.chain(alist.first("chain"))
+    chain = build.chain(alist.find("chain") or _so_told(trigger))
     return Teach(
         "reaction",
         Operator(
@@ -52,3 +56,10 @@ def _asks_nothing(chain: AList) -> bool:
     return any(
         speech.has("ask") and not (speech.has("quote") or speech.has("asked_if")) for speech in last
     )
+
+
+def _so_told(trigger: Graphlet) -> AList:
+    """What the robot says to tell that this is so: "I see a spider"."""
+    so = conditions(Telling((trigger,), (), "robot"), trigger)
+    action = AList("action", (AList("speech", (AList("say"), AList("quote", value=so))),))
+    return AList("chain", (AList("play", (action,)),))
