@@ -10,6 +10,7 @@ from dataclasses import dataclass
 from typing import Final
 
 from grammars.alist import AList
+from grammars.alternatives import one_each
 from grammars.build import Build, NoMeaningError, particles
 from grammars.clauses import clause
 from grammars.mentions import PLACES
@@ -19,6 +20,13 @@ from grammars.vocabulary import BORN
 YOU: Final = AList("np", (AList("pron", value="you"),))
 # What stands for a deed without naming it: "do", "do that".
 BLANK: Final = ("do_it", "do_that", "doing_it", "doing_that")
+SUBJECTS: Final = ("agt", "hq", "loc", "own", "ako")
+SEVERAL: Final = {
+    "several": "action",
+    "several_doing": "gerunding",
+    "several_did": "did_it",
+    "several_does": "action",
+}
 DESCRIBING: Final = ("ako", "akos", "sub", "qual", "one")
 # What of a deed is asked, by the words that help its verb; "request": of the robot it would be a command.
 BOUND: Final = {
@@ -60,6 +68,8 @@ def drawn(build: Build, asks: AList, agent: str = "") -> Said:
         asks: bracket with the clause's parts.
         agent: node of its subject, where that is what is asked for.
     """
+    if (several := asks.find(*SEVERAL)) is not None:
+        return _of_each(build, asks, several, agent)
     denied = asks.has("neg") or asks.has("negq")
     subject = asks.find("np")
     if (exist := asks.find("exist")) is not None:
@@ -101,8 +111,43 @@ def drawn(build: Build, asks: AList, agent: str = "") -> Said:
 def _both(build: Build, asks: AList, subjects: list[AList]) -> Said:
     """ "Did Tim and Oscar come in": the same of each."""
     rest = tuple(part for part in asks if part.name != "both_of")
-    of_each = [drawn(build, AList(asks.name, (np, *rest))) for np in subjects]
-    return of_each[0]
+    so = drawn(build, AList(asks.name, (subjects[0], *rest)))
+    links = build.sketch.terms[so.main].links
+    if one := next((name for role, name in links if role in SUBJECTS), ""):
+        _alike(build, so.main, one, subjects[1:])
+    else:  # "did you and Tim come in"
+        for np in subjects[1:]:
+            drawn(build, AList(asks.name, (np, *rest)))
+    return so
+
+
+def _of_each(build: Build, asks: AList, several: AList, agent: str) -> Said:
+    """ "Did you grab the ball and the cup": the same with each."""
+    rest = tuple(part for part in asks if part is not several)
+    deed = AList(SEVERAL[several.name], one_each(several)[0].parts)
+    so = drawn(build, AList(asks.name, (*rest, deed)), agent)
+    of = so.inner or so.main
+    obj = dict(build.sketch.terms[of].links).get("obj", "")
+    _alike(build, of, obj, several.all("np")[1:])
+    return so
+
+
+def _alike(build: Build, main: str, one: str, others: list[AList]) -> None:
+    """Say the same of each of the others as of this one."""
+    term = build.sketch.terms[main]
+    for np in others:
+        thing = build.thing(np)
+        links = {role: thing if name == one else name for role, name in term.links}
+        build.add(term.kind, *term.lex, negated=term.negated, **links)
+
+
+def by_robot(build: Build, act: str) -> None:
+    """It is the robot who does so, with whatever things it does it."""
+    term = build.sketch.terms[act]
+    for name in list(build.board):
+        same = build.sketch.terms[name]
+        if same.kind == term.kind and same.lex == term.lex and not dict(same.links).get("agt"):
+            build.sketch.link(name, "agt", build.oneself("you"))
 
 
 def _deny(build: Build, node: str, denied: bool) -> str:

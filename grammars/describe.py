@@ -31,7 +31,7 @@ def describe(parsed: Parsed) -> dict[str, Any]:
     return {
         "text": parsed.text,
         "kind": parsed.kind,
-        "words": sorted(_words(meaning) - _implied(parsed)),
+        "words": sorted((_words(meaning) | _told_by_role(parsed)) - _implied(parsed)),
         "steps": None if chain is None else _steps(chain),
         "parallel": chain is not None and chain.parallel,
         "negated": any(term.negated for graphlet in _graphlets(meaning) for term in graphlet),
@@ -89,6 +89,11 @@ def _words(meaning: Meaning) -> set[str]:
             if term.literal is not None:
                 words |= set(term.literal.lower().split())
     return words
+
+
+def _told_by_role(parsed: Parsed) -> set[str]:
+    """Words that are a role in the net and no term: what belongs to somebody."""
+    return {"belong"} if any(part.name == "owner_of" for part in parsed.alist.walk()) else set()
 
 
 def _implied(parsed: Parsed) -> set[str]:

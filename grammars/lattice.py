@@ -13,7 +13,13 @@ from unicodedata import normalize
 
 from grammars.morphology import readings as inflected
 from grammars.nearest import english
-from grammars.normalise import Piece, repaired_by_speaker, without_chat, without_repeats
+from grammars.normalise import (
+    Piece,
+    repaired_by_speaker,
+    without_chat,
+    without_emphasis,
+    without_repeats,
+)
 from grammars.source import set_categories
 from grammars.vocabulary import OPEN, Vocabulary, set_phrases
 
@@ -79,7 +85,7 @@ class Lexer:
         """The lattice; guessing lets the position of a strange word decide what it is."""
         tokens = [self._token(at, piece, guessing) for at, piece in enumerate(found)]
         for at, token in enumerate(tokens):
-            if _may_be_name(token, found[at - 1] if at else None, found[at + 1 : at + 5]):
+            if _may_be_name(token, found[at - 1] if at else None, tokens[at + 1 : at + 8]):
                 tokens[at] = replace(
                     token, readings={**token.readings, "NAMELIKE": token.piece.text}
                 )
@@ -147,19 +153,27 @@ def _strange(piece: Piece, guessing: bool) -> dict[str, str]:
     return readings
 
 
-def _may_be_name(token: Token, before: Piece | None, after: Sequence[Piece]) -> bool:
+def _may_be_name(token: Token, before: Piece | None, after: Sequence[Token]) -> bool:
     """A word that stands where a name does: written as one, told as one ("called Spot"), or a quality that is said to
     be of some kind ("Fluffy is a kitten"); an unknown word before what persons do to the robot."""
-    words = [piece.text for piece in after]
+    words = [next_.piece.text for next_ in after[:4]]
     if before is None and "NEWNAME" in token.readings:
         ordering = (words[:1] in ORDERING and words[1:2] == ["you"]) or words[:2] in MAY_ORDER
         return ordering or (words[2:3] == ["than"] and words[-1] in OWN)
     if before is None:
-        words = [words[0], *words[2:]] if words[1:2] == ["not"] else words
-        pet = "NOUN" in token.readings and words[2:3] and words[2] in PETS  # "Biscuit is a spaniel"
-        return words[:2] in NAMING and ("ADJ" in token.readings or bool(pet))
+        if words[1:2] == ["not"]:
+            after, words = [after[0], *after[2:]], [words[0], *words[2:]]
+        kinds = [next_.piece.text for next_ in after[2:] if not _describes(next_)][:1]
+        pet = kinds and kinds[0] in PETS  # "Biscuit is a brown spaniel"
+        noun = not token.readings.keys().isdisjoint(("NOUN", "NOUNS"))
+        return words[:2] in NAMING and ("ADJ" in token.readings or (noun and bool(pet)))
     told = token.piece.capital or before.text in CALLING
     return told and not token.readings.keys().isdisjoint(("ADJ", "NOUN", "NOUNS"))
+
+
+def _describes(token: Token) -> bool:
+    """A word that may stand before what something is: "a very small dog"."""
+    return not token.readings.keys().isdisjoint(("ADJ", "DEG")) and token.piece.text not in PETS
 
 
 def variants(found: list[Piece], vocabulary: Vocabulary) -> Iterator[list[Piece]]:
@@ -172,6 +186,7 @@ def variants(found: list[Piece], vocabulary: Vocabulary) -> Iterator[list[Piece]
         _as_phrase(once, vocabulary),
         _with_phrases(found, vocabulary),
         found,
+        without_emphasis(found),
         once,
         repaired_by_speaker(once, vocabulary.readings),
         without_repeats(without_chat(once)),

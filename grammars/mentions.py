@@ -32,13 +32,16 @@ CONJUNCTIONS: Final = ("or", "but", "because")  # "don't tell him that or he wil
 FINITE: Final = frozenset("is are was were has may can will must should does did".split())
 PERSONAL: Final = frozenset("him her he she".split())
 OF_WOMEN: Final = frozenset(("she", "her"))
-PERSON_WORDS: Final = frozenset("someone somebody anyone anybody nobody whoever".split()) | {
+PERSON_WORDS: Final = frozenset(
+    "someone somebody anyone anybody nobody whoever everybody everyone".split()
+) | {
     "someone else",
     "anyone else",
     "anybody else",
     "somebody else",
     "no one",
 }
+EVERY: Final = frozenset(("everybody", "everyone", "everything"))  # each of them
 _NAMES_OF_WOMEN: Final = """
 mary janey mom jane sue ann anna anne alice emma olivia sophia emily elizabeth sarah sally susan lucy molly nancy
 grandma mommy

@@ -200,6 +200,13 @@ def without_chat(found: Sequence[Piece]) -> list[Piece]:
     return list(found)
 
 
+def without_emphasis(found: Sequence[Piece]) -> list[Piece]:
+    """ "A bad, bad robot" and "very, very good" without the comma between a word and the same word."""
+    at = [at for at, piece in enumerate(found[1:-1], 1) if piece.kind == "comma"]
+    between = {one for one in at if found[one - 1].text == found[one + 1].text}
+    return [piece for place, piece in enumerate(found) if place not in between]
+
+
 def without_repeats(found: Sequence[Piece]) -> list[Piece]:
     """Stammered words once: "turn turn left", "grab the grab the cup".
 

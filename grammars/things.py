@@ -18,6 +18,7 @@ from grammars.errors import NoMeaningError
 from grammars.mentions import (
     ALIKE,
     ANY_KIND,
+    EVERY,
     OWNING,
     PERSON_WORDS,
     PERSONAL,
@@ -180,6 +181,7 @@ class Things:
         of_owner = any(rel.find("owner_of", "of_owner") is not None for rel in np.all("rel"))
         ref = "somebody" if anybody else "one" if np.has("one") else REFS.get(det, "")
         ref = "the" if np.has("numbered") and not det else ref
+        ref = "every" if vague in EVERY else ref
         ref = "" if ref == "the" and of_owner else ref  # "the cup of Mary's brother" is his cup
         place = "PLACE" in BORN.readings(called)
         person = (bool(called) and not place) or person or kind in PERSONS or vague in PERSON_WORDS

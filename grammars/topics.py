@@ -28,6 +28,7 @@ TOPICS: Final[dict[str, tuple[Ask, str]]] = {
     "told": ("who", "taught"),
     "happens": ("what", "happens"),
     "means": ("what", "means"),
+    "opposite": ("what", "opposite"),
     "mean_same": ("yesno", "means"),
     "what_before": ("what", "before"),
     "what_after": ("what", "after"),
@@ -84,6 +85,10 @@ def _about(build: Build, body: AList) -> Graphlet:
             build.thing(teller.first("np"), person=True)
         return build.graphlet(thing)
     if word := body.slot("quote_word") or body.slot("openword") or body.slot("quote"):
+        if body.name == "opposite":
+            opposed = build.add("x", word.lower())
+            build.add("ako", "opposite", ako=opposed)
+            return build.graphlet(opposed)
         act = build.add("act", word.lower())
         if body.name == "mean_same":
             build.add("act", body.slot("openword").lower())

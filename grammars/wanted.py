@@ -9,10 +9,10 @@ from dataclasses import replace
 from typing import Final
 
 from grammars.alist import AList
-from grammars.asked import BLANK, DESCRIBING, YOU, Said, drawn, fill, of_clause
+from grammars.asked import BLANK, DESCRIBING, YOU, Said, by_robot, drawn, fill, of_clause
 from grammars.build import Build, NoMeaningError
 from grammars.chains import TIMES
-from grammars.mentions import PLACES, compounded
+from grammars.mentions import EVERY, PLACES, compounded
 from grammars.topics import DEEDS
 from kernel.memory.meaning import Ask, Question
 from kernel.net.graphlet import Graphlet
@@ -45,10 +45,10 @@ def whether(build: Build, asks: AList) -> Question:
         taught = dict(build.sketch.terms[so.main].links)["cmd"]
         return Question("yesno", build.graphlet(taught), "", "taught")
     if so.own and so.going and build.sketch.terms[so.main].lex:  # "are you holding it" is no deed
-        build.sketch.link(so.main, "agt", build.oneself("you"))
+        by_robot(build, so.main)
         return Question("yesno", build.graphlet(so.main))
     topic = _topic(build, so)
-    whole = subject.has("whole") or subject.slot("vague") == "everything"
+    whole = subject.has("whole") or subject.slot("vague") in EVERY
     if not topic and whole:  # "are both of the cups empty"
         about = build.sketch.terms[so.main].links
         name = next(
@@ -77,7 +77,7 @@ def _topic(build: Build, so: Said) -> str:
     if so.own:
         topic = "did" if so.past else "doing" if so.going else so.topic.removeprefix("request")
     if so.own and not topic:
-        build.sketch.link(so.main, "agt", build.oneself("you"))
+        by_robot(build, so.main)
     return topic
 
 
@@ -132,7 +132,7 @@ def wanted(build: Build, body: AList) -> Question:
     fill(build, so.inner or so.main, thing, body.slot("strand"), asks)
     topic = _topic(build, so)
     if topic == "doing" and build.sketch.terms[so.main].lex == {"hold"}:  # which is no deed
-        build.sketch.link(so.main, "agt", build.oneself("you"))
+        by_robot(build, so.main)
         topic = ""
     counted = ask == "howmany" and topic == "did"
     return Question(ask, build.graphlet(so.main), "" if counted else wanted, topic)
@@ -222,7 +222,7 @@ def adverbial(build: Build, body: AList) -> Question:
 
 def _where(build: Build, so: Said) -> Question:
     """Where something was put is where it is now."""
-    if build.sketch.terms[so.main].kind == "loc":  # "where is the cup on the table": which cup
+    if build.sketch.terms[so.main].kind in ("loc", "ako"):  # "where is the cup on the table": which
         raise NoMeaningError("where is it there")
     topic = _topic(build, so)
     if topic == "doing":

@@ -8,10 +8,10 @@ from grammars.alist import AList
 from grammars.build import Build, NoMeaningError
 from grammars.clauses import clause
 from grammars.manners import NOT_TOO
-from grammars.mentions import OWNING, is_definite, is_person, is_time, may_be_person
+from grammars.mentions import EVERY, OWNING, is_definite, is_person, is_time, may_be_person
 from grammars.registry import sentence_form
 from grammars.sorts import is_abstract
-from grammars.vocabulary import BORN
+from grammars.vocabulary import BORN, set_phrases
 from kernel.memory.meaning import Fact
 from kernel.net.graphlet import Graphlet, Term
 
@@ -68,13 +68,39 @@ def fact(alist: AList) -> Fact:
         alist = AList(alist.name, (AList("clause", pointed_out.parts),))
     if (placed := alist.find("placed")) is not None:
         alist = AList(alist.name, (_placed(placed),))
-    said = alist.first("clause")
-    _check_subject(said)
-    _check_absence(said)
+    said = _each_told(alist)
+    for one in said:
+        _check_subject(one)
+        _check_absence(one)
     with build.drawing(pattern=False):
-        main = clause(build, said)
-        told = build.graphlet(main)
+        mains = [clause(build, one) for one in said]
+        if (denied := alist.find("denied_so")) is not None:
+            mains.append(_but(build, mains[0], denied))
+        told = build.graphlet(mains[0])
     return Fact(told, tuple(build.finds))
+
+
+def _each_told(alist: AList) -> list[AList]:
+    """The clauses of a fact: of each of several subjects, of all that is told with "and"."""
+    if (denied := alist.find("denied_so")) is not None:
+        return [AList("clause", denied.parts[:-1])]
+    said = alist.all("clause")
+    if alist.has("it_is_so") and not said[0].has("neg"):  # two sentences
+        raise NoMeaningError(str(alist))
+    said += (AList("clause", part.parts) for part in alist.all("it_is_so"))
+    found = []
+    for one in said:
+        both = one.find("both_of")
+        rest = tuple(part for part in one if part is not both)
+        found += [one] if both is None else [AList("clause", (np, *rest)) for np in both.all("np")]
+    return found
+
+
+def _but(build: Build, main: str, denied: AList) -> str:
+    """ "It is not red but blue": what is said of the same thing after "but"."""
+    links = build.sketch.terms[main].links
+    thing = next(other for role, other in links if role in ("hq", "loc", "own", "ako"))
+    return clause(build, AList("clause", denied.parts[-1:]), thing)
 
 
 def _placed(placed: AList) -> AList:
@@ -146,6 +172,10 @@ def _check_subject(said: AList) -> None:
     subject = said.find("np", "base_np")
     if subject is None:
         return
+    if subject.slot("vague") in EVERY and pred is not None and _is_judged(pred):
+        raise NoMeaningError("everything is fine")
+    if subject.slot("vague") == "everything" and (subject.has("rel") or said.has("does")):
+        raise NoMeaningError("a rule; and everything happens for a reason")
     if subject.has("pron") and _is_remark(said, subject.slot("pron")):
         raise NoMeaningError("a remark")
     known = ("name", "det", "own", "owner", "pron", "vague")
@@ -153,7 +183,7 @@ def _check_subject(said: AList) -> None:
     generic = (
         not any(subject.has(part) for part in known)
         or subject.slot("det") in ("a", "an", "any", "no")
-        or vague.startswith(("any", "every", "who"))
+        or vague.startswith(("any", "who"))
         or subject.slot("ako") == "name"
         or (vague and pred is not None and pred.has("kindof"))
     )
@@ -170,6 +200,8 @@ def _is_remark(said: AList, pron: str) -> bool:
     if pred is None:
         return False
     kindof, qual = pred.find("kindof"), pred.find("qual")
+    if pron == "you" and kindof is not None and _is_judged(kindof):
+        return True
     told_kind = pron in IT and kindof is not None and is_abstract(kindof)
     return told_kind or (qual is not None and (qual.value is not None or _is_verdict(pron, qual)))
 
@@ -179,6 +211,12 @@ def _is_verdict(pron: str, qual: AList) -> bool:
     way = qual.slot("hq")
     too = any(deg.value == "too" for deg in qual.all("deg"))
     return too and pron in IT and not NOT_TOO.keys().isdisjoint((way, f"{way}ly"))
+
+
+def _is_judged(kindof: AList) -> bool:
+    """ "You are a bad, bad boy": praise and blame."""
+    said = {qual.slot("hq") or qual.value for qual in kindof.all("qual")}
+    return not said.isdisjoint((*set_phrases()["GOOD"], *set_phrases()["BAD"]))
 
 
 def _is_saying(said: AList, subject: AList) -> bool:

@@ -220,8 +220,9 @@ def _howmany(build: Build, body: AList) -> Question:
 
 def _seeing(build: Build, body: AList) -> Question:
     """ "Can you see the ball": whether it does."""
-    agent, *things = [build.thing(np) for np in body.all("np")]
-    see = build.add("act", body.slot("perceiving"), agt=agent, obj=things[0])
+    both = body.find("both_of") or AList("both_of")
+    agent, *things = [build.thing(np) for np in (*body.all("np"), *both.all("np"))]
+    see, *_ = [build.add("act", body.slot("perceiving"), agt=agent, obj=each) for each in things]
     build.modifiers(see, body)
     return Question("yesno", build.graphlet(see))
 

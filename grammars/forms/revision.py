@@ -7,7 +7,7 @@ from typing import Final
 from grammars.alist import AList
 from grammars.build import Build, NoMeaningError
 from grammars.registry import sentence_form
-from grammars.sorts import is_bare
+from grammars.sorts import is_abstract, is_bare
 from grammars.verdicts import is_praise
 from kernel.action.chain import Chain, Directive, Play, sequence
 from kernel.memory.editing import OTHER_WAY
@@ -222,7 +222,7 @@ def _things(build: Build, alist: AList) -> tuple[Graphlet | None, Chain]:
     if old is not None:
         with build.drawing(pattern=True):
             replaced = build.graphlet(build.thing(old))
-    if is_bare(new) and not new.has("one"):
+    if (is_bare(new) and not new.has("one")) or is_abstract(new):
         raise NoMeaningError("sorry, wrong number")
     with build.drawing(pattern=False):
         build.thing(new)

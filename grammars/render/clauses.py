@@ -83,13 +83,20 @@ def clause(telling: Telling, term: Term, hedge: str, others: Iterable[Term] = ()
     waiting = [t for t in others if t.negated and t.name not in telling.stated]
     with_kind = role == "ako" and not _picked_out(telling, name)
     later = telling.about(name, "hq", "loc", "own") if with_kind else []
-    if not with_kind:  # "the man in the red coat is Greg's uncle"
-        said = telling.about(name, "own" if role == "ako" else "hq")
+    known = any(found.main == name for found in telling.described)
+    mine: list[Term] = []
+    if term.negated and known:  # "it is not my hat and it is Tom's"
+        later = [other for other in telling.about(name, *SAYING) if other in telling.new(term)]
+        mine = [other for other in later if role == "ako" and linked(other, "own")][:1]
+    elif not with_kind:  # "the man in the red coat is Greg's uncle"
+        said = telling.about(name, *(("own", "hq", "loc") if role == "ako" else ("hq",)))
         later = [other for other in said if _is_told(telling, term, other)]
     telling.hold_back((*waiting, *later))
+    verb = "are" if name in telling.also else ""
     subject = _subject(telling, name, term.negated)
-    telling.release(later)
+    telling.release(later if not term.negated else mine)
     rest = _COMPLEMENTS[role](telling, term)
+    telling.release(other for other in later if term.negated and other not in mine)
     if role == "hq":  # "red and small"
         also = [other for other in telling.about(name, "hq") if _is_told(telling, term, other)]
         also = [] if term.negated else [other for other in also if not other.negated]
@@ -97,7 +104,7 @@ def clause(telling: Telling, term: Term, hedge: str, others: Iterable[Term] = ()
         telling.hold_back(also)
     telling.release(waiting)
     denied = "not " if term.negated and subject not in NOBODY else ""
-    verb = be(subject)
+    verb = verb or be(subject)
     return Clause(subject, verb, f"{verb} {denied}{adverb}{rest}", f"{denied}{adverb}{rest}")
 
 
@@ -117,13 +124,14 @@ def _describes(graphlet: Graphlet, name: str) -> bool:
 
 def _doing(telling: Telling, term: Term, adverb: str) -> Clause:
     agent = linked(term, "agt")
+    third = agent not in telling.also
     subject = _subject(telling, agent, term.negated) if agent else "something"
     if subject == "they":  # rules want the singular verb: "he likely speaks Portuguese"
         subject = "she" if telling.term(agent).lex & WOMEN else "he"
     tense = [mod for mod in telling.about(term.name, "mod") if word(mod) == "past"]
     telling.hold_back(tense)
     done = deed(telling, term.name, told=True)
-    third = be(subject) == "is"
+    third = third and be(subject) == "is"
     if not _is_known(word(term)):  # one that nobody taught is known by its "-ing" only
         rest = f"{'not ' if term.negated and subject not in NOBODY else ''}{adverb}{gerund(done)}"
         return Clause(subject, be(subject), f"{be(subject)} {rest}", rest)

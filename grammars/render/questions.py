@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+from typing import Final
+
+from grammars.morphology import comparative
 from grammars.render.clauses import Clause, clause, conditions, naming
 from grammars.render.deeds import be, deed
 from grammars.render.missing import ADVERBS, GAPPED, bare, ordered, own_deed, question_words, spaced
@@ -11,10 +14,14 @@ from grammars.render.things import thing
 from kernel.memory.meaning import Question
 from kernel.net.graphlet import Graphlet, Term
 
+# What is asked as "what color is it", and not as "what is its name".
+_SEEN: Final = ("color", "size", "shape", "kind", "make", "brand")
+
 
 def question(asked: Question, voice: Voice) -> str:
     """The question itself: "is Mary a person", "where is the red block"."""
     telling = Telling((asked.about,), (), voice)
+    telling.join(asked.about)
     main = asked.about.main
     you, me = ("I", "me") if voice == "robot" else ("you", "you")
     named = asked.topic != "allowed" or telling.term(main).lex
@@ -66,6 +73,8 @@ def question(asked: Question, voice: Voice) -> str:
             return f"how do {you} {deed(telling, main)}"
         case "means":
             return f"what does {min(telling.term(main).lex, default='that')} mean"
+        case "opposite":
+            return f"what is the opposite of {min(telling.term(main).lex)}"
         case "before" | "after":
             return f"what happens {asked.topic} {you} {deed(telling, main)}"
         case "happens" if asked.ask == "yesno":
@@ -160,6 +169,9 @@ def _asked(telling: Telling, asked: Question) -> tuple[str, Clause]:
         case "what" if main.name == wanted and linked(main, "hq"):
             telling.stated.add(main.name)
             attribute = " ".join(word(kind) for kind in telling.take(main.name, "ako"))
+            if attribute and attribute not in _SEEN:
+                whose = thing(telling, linked(main, "hq"), "possessive")
+                return "what", _being(f"{whose} {attribute}")
             return f"what {attribute}", _being(thing(telling, linked(main, "hq"), "subject"))
         case "how" if linked(main, "hq"):
             telling.stated.update((main.name, wanted))
@@ -188,9 +200,15 @@ def _asked(telling: Telling, asked: Question) -> tuple[str, Clause]:
 def _wanted(telling: Telling, asked: Question, main: Term, ask: str) -> tuple[str, Clause]:
     """The thing asked for stands first, and is missing in the clause that follows."""
     wanted = asked.wanted or main.name
+    named = telling.term(wanted).lex or telling.term(wanted).ref
+    if linked(main, "than") and named:  # "which is heavier, the box or the ball"
+        telling.stated.add(main.name)
+        one, other = thing(telling, wanted, "subject"), thing(telling, linked(main, "than"))
+        return f"{ask} is {comparative(word(main))},", Clause("", "", f"{one} or {other}", "")
     if main.name == wanted:
         return ask, _being(thing(telling, wanted, "subject"))
     if linked(main, "own") and linked(main, "of") == wanted:
+        telling.hold_back([main])
         thing_ = thing(telling, linked(main, "own"), "subject")
         return "who", Clause(thing_, "does", "belongs to", "belong to")
     telling.hold_back([main])

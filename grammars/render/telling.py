@@ -28,6 +28,10 @@ def word(term: Term) -> str:
     return min(term.lex, default="")
 
 
+def _alike(one: Term, other: Term) -> bool:
+    return (one.kind, one.lex, one.negated) == (other.kind, other.lex, other.negated)
+
+
 @dataclass
 class Telling:
     """Mutable state of one rendering.
@@ -40,6 +44,7 @@ class Telling:
             "it" is the last one, "the block" the last one called a block (grammars/things.py).
         stated: predicates already told, or kept back to be told as a clause.
         gap: the thing that is asked for: it is missing where the clause would name it.
+        also: what is said of one thing and of these others: "the ball and the cup".
     """
 
     described: tuple[Graphlet, ...]
@@ -49,6 +54,7 @@ class Telling:
     stated: set[str] = field(default_factory=set)
     terms: dict[str, Term] = field(default_factory=dict)
     gap: str = ""
+    also: dict[str, list[str]] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
         known = {name for graphlet in self.described for name in graphlet.mentioned}
@@ -111,6 +117,26 @@ class Telling:
     def release(self, terms: Iterable[Term]) -> None:
         """Let predicates be told again."""
         self.stated -= {term.name for term in terms}
+
+    def new(self, main: Term) -> list[Term]:
+        """What is told together with it: all terms of the claims that it is the main one of."""
+        return [self.term(t.name) for g in self.claims if g.main == main.name for t in g.terms]
+
+    def join(self, about: Graphlet) -> None:
+        """Tell in one what is said alike of several things: "are Ann and Bob tall"."""
+        main = about.head
+        for term in about if main is not None else ():
+            if main is None or term is main or not _alike(term, main):
+                continue
+            one, other = dict(main.links), dict(term.links)
+            differing = [role for role in other if one.get(role) != other[role]]
+            if (
+                len(differing) == 1
+                and differing[0] in one
+                and not one.keys() - other.keys() - {"agt"}
+            ):
+                self.also.setdefault(one[differing[0]], []).append(other[differing[0]])
+                self.hold_back([term])
 
     def mention(self, name: str, noun: str = "") -> None:
         """Make it the newest thing spoken of; taking it up again does not make it newer."""

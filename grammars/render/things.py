@@ -38,6 +38,7 @@ _MASSES: Final = frozenset(
     ("music", "water", "milk", "coffee", "tea", "juice", "food", "trash", "smoke", "fire")
 )
 # What one is doing still, and what one does all the time, where that tells which thing is meant.
+_VAGUE: Final = {"somebody": "somebody", "every": "everything"}
 _BE: Final = {"I": "am", "you": "are"}
 _ONGOING: Final = ("hold", "carry", "wear", "watch")
 _FELT: Final = tuple("see hear want like love need have know own hate prefer mean smell".split())
@@ -48,6 +49,8 @@ def thing(telling: Telling, name: str, case: Case = "object") -> str:
     """The noun phrase for a node: the second time it is spoken of, a pronoun where only one thing can be meant."""
     if name == telling.gap:
         return ""
+    if others := telling.also.pop(name, []):
+        return " and ".join(thing(telling, each, case) for each in (name, *others))
     term = telling.term(name)
     if person := term.lex & {"you", "me"}:  # the speaker may have a name as well
         return pronoun(telling, min(person), case)
@@ -261,11 +264,19 @@ def _first(telling: Telling, term: Term) -> str:
     denied = any(kind.negated for kind in telling.about(name, "ako"))  # "that is not my dad"
     owners = [] if denied else [linked(own, "of") for own in telling.take(name, "own")]
     whose = thing(telling, owners[0], "possessive") if owners else ""
-    bare = "" if ref in ("", "somebody") and not owners else "one" if ref == "one" else "thing"
+    bare = (
+        ""
+        if ref in ("", "somebody", "every") and not owners
+        else "one"
+        if ref == "one"
+        else "thing"
+    )
     numbers = [count.literal or "" for count in telling.take(name, "cnt")]
     before, noun, after = description(telling, name, "thing" if numbers else bare)
+    if ref == "every" and noun == "person" and not before and not whose:
+        return " ".join(filter(None, ("everybody", after)))
     if not noun:
-        vague = "somebody" if ref == "somebody" else "something"
+        vague = _VAGUE.get(ref, "something")
         return " ".join(filter(None, (vague, before, after)))
     phrase = " ".join(filter(None, (*numbers, before, plural(noun) if numbers else noun, after)))
     if whose:

@@ -31,6 +31,43 @@ EXCLUSIVE: Final = tuple(
     )
 )
 
+# Words that are each other's opposite, for whoever asks; where they are qualities a thing may still have both in turn.
+OPPOSITE: Final = tuple(group for group in EXCLUSIVE if len(group) == 2) + tuple(
+    frozenset(pair.split())
+    for pair in (
+        "left right",
+        "forward backward",
+        "clockwise counterclockwise",
+        "up down",
+        "in out",
+        "big small",
+        "tall short",
+        "long short",
+        "fast slow",
+        "quickly slowly",
+        "loud quiet",
+        "hard soft",
+        "old new",
+        "old young",
+        "good bad",
+        "open closed",
+        "over under",
+        "raise lower",
+        "open close",
+        "grab release",
+        "start stop",
+        "push pull",
+        "hello goodbye",
+        "yes no",
+    )
+)
+
+
+def opposites(word: str) -> tuple[str, ...]:
+    """The words that say the opposite."""
+    found = (other for group in OPPOSITE if word in group for other in group - {word})
+    return tuple(dict.fromkeys(found))
+
 
 def ended_by(fact: Graphlet, known: Container[str] = ()) -> Iterator[Graphlet]:
     """What is no longer so once the fact is: its contrary, and other qualities of the group on the same thing.

@@ -149,6 +149,24 @@ class Plan:
     trouble: Trouble | None = None
 
 
+@dataclass(frozen=True, slots=True)
+class Contrary:
+    """The words that say the opposite of a word; none where no such word is known."""
+
+    word: str
+    contraries: tuple[str, ...] = ()
+
+
 Explanation = (
-    Because | Taught | Knowledge | Lessons | Abilities | Counted | Moment | Extent | Allowed | Plan
+    Because
+    | Taught
+    | Knowledge
+    | Lessons
+    | Abilities
+    | Counted
+    | Moment
+    | Extent
+    | Allowed
+    | Plan
+    | Contrary
 )
