@@ -12,7 +12,7 @@ from typing import Final
 from grammars.alist import AList
 from grammars.alternatives import one_each
 from grammars.build import Build, NoMeaningError, particles
-from grammars.clauses import clause
+from grammars.clauses import clause, regarding
 from grammars.mentions import PLACES
 from grammars.topics import DEEDS, does_so
 from grammars.vocabulary import BORN
@@ -213,11 +213,7 @@ def _state(build: Build, asks: AList, who: str) -> str:
             build.add("loc", "to", loc=hq, wrt=build.aside(mark))
         return hq
     if (complement := asks.find("complement")) is not None:  # "afraid of cats", "tired of turning"
-        hq = build.quality(who, complement)
-        doing = complement.find("gerunding")
-        about = build.thing(complement.first("np")) if doing is None else build.action(doing)
-        build.add("loc", complement.slot("regard", "of"), loc=hq, wrt=about)
-        return hq
+        return regarding(build, who, complement)
     if (qual := asks.find("qual")) is not None:
         return build.quality(who, qual)
     if (does := asks.find("does_q")) is not None:

@@ -102,12 +102,17 @@ def clause(build: Build, part: AList, subject: str = "", topical: bool = False) 
         said = build.board[before:]
         build.claims.update(n for n in said if ("hq", agent) in build.sketch.terms[n].links)
         return main
+    if (complement := part.find("complement")) is not None:
+        return regarding(build, agent, complement, negated)
     if (owner := part.find("owner_of")) is not None:
         return build.owned(agent, owner, negated)
     if (qual := part.find("qual")) is not None:
         if qual.slot("hq") in WAYS:  # "the light turns right"
             raise NoMeaningError(str(part))
-        return build.quality(agent, qual, negated)
+        hq = build.quality(agent, qual, negated)
+        if here := part.slot("hereabouts"):  # "it is cold in here"
+            build.add("loc", here, loc=hq)
+        return hq
     if (where := part.find("whereis")) is not None:
         return build.add("act", "ask", agt=agent, obj=build.whereabouts(where))
     if (listener := part.find("listener")) is not None and listener.parts:
@@ -228,6 +233,15 @@ def _is_knowable(np: AList) -> bool:
     """People, animals and the like may be known, and what is no thing at all: nobody "knows the drill"."""
     tool = kind(np) in TOOLS and np.slot("det") == "the"
     return not (tool or np.has("pron"))
+
+
+def regarding(build: Build, who: str, complement: AList, negated: bool = False) -> str:
+    """ "Afraid of cats", "tired of turning", "married to Lucy"."""
+    hq = build.quality(who, complement, negated)
+    doing = complement.find("gerunding")
+    about = build.thing(complement.first("np")) if doing is None else build.action(doing)
+    build.add("loc", complement.slot("regard", "of"), loc=hq, wrt=about)
+    return hq
 
 
 def put_nowhere(verb: str, said: AList, thing: AList | None) -> bool:

@@ -36,7 +36,7 @@ def relative(build: Things, name: str, np: AList, rel: AList) -> None:
         build.owned(name, owner)
     elif (loc := rel.find("loc")) is not None and loc.slot("prep") in LEADING:
         raise NoMeaningError(str(rel))
-    elif rel.has("loc") or rel.has("side") or rel.has("compared"):
+    elif any(map(rel.has, ("loc", "side", "compared", "hereabouts"))):
         build.predicate(name, rel, negated=False)
     elif any(rel.has(part) for part in ("going", "has_it", "habit", "habit_s")):
         _doing(build, name, rel)

@@ -270,6 +270,12 @@ class Things:
                 raise NoMeaningError(str(pred))
             self.sketch.change(name, lex=frozenset((called.slot("name"),)))
             return self.put(name)
+        if (measured := pred.find("measured")) is not None:  # "3 meters long"
+            hq = self.quality(name, measured, negated)
+            self.add(
+                "amt", measured.slot("unit").removesuffix("s"), literal=measured.slot("num"), amt=hq
+            )
+            return hq
         if here := pred.slot("hereabouts"):
             return self.add("loc", here, loc=name, negated=negated)
         if pred.has("here"):
@@ -289,6 +295,8 @@ class Things:
         node = self.kind(name, kind, compounded(kindof), negated)
         for rel in kindof.all("rel"):
             relative(self, name, kindof, rel)
+        if (belongs := kindof.find("belongs")) is not None:  # "a friend of Lucy's"
+            self.owned(name, belongs)
         if (of := kindof.find("np")) is not None:
             self.add("own", own=name, of=self.thing(of, person=True))
         self.possessed(name, kindof)

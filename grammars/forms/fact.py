@@ -68,6 +68,10 @@ def fact(alist: AList) -> Fact:
         alist = AList(alist.name, (AList("clause", pointed_out.parts),))
     if (placed := alist.find("placed")) is not None:
         alist = AList(alist.name, (_placed(placed),))
+    if (introduced := alist.find("introduced")) is not None:  # "this is my brother Tom"
+        kindof = AList("kindof", tuple(p for p in introduced if p.name not in ("np", "name")))
+        who = AList("np", tuple(introduced.all("name")))
+        alist = AList(alist.name, (AList("clause", (who, AList("pred", (kindof,)))),))
     said = _each_told(alist)
     for one in said:
         _check_subject(one)
@@ -90,9 +94,16 @@ def _each_told(alist: AList) -> list[AList]:
     said += (AList("clause", part.parts) for part in alist.all("it_is_so"))
     found = []
     for one in said:
-        both = one.find("both_of")
-        rest = tuple(part for part in one if part is not both)
-        found += [one] if both is None else [AList("clause", (np, *rest)) for np in both.all("np")]
+        both = one.find("both_of", "several_np")
+        at = 0 if both is None else one.parts.index(both)
+        found += (
+            [one]
+            if both is None
+            else [
+                AList("clause", (*one.parts[:at], np, *one.parts[at + 1 :]))
+                for np in both.all("np")
+            ]
+        )
     return found
 
 
@@ -194,6 +205,8 @@ def _check_subject(said: AList) -> None:
 def _is_remark(said: AList, pron: str) -> bool:
     """ "It's a small world", "that is a good question"; "it is raining", "you are hopeless" in a word nobody taught."""
     pred, going = said.find("pred"), said.find("going")
+    if said.has("complement"):
+        return pron in (*IT, "you")
     if going is not None:
         verb = going.slot("gerund") or going.value or ""
         return BORN.readings(verb).keys().isdisjoint(("VERB", "STATE"))

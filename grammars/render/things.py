@@ -99,7 +99,10 @@ def quality(telling: Telling, term: Term) -> str:
         return superlative(word(term))
     if any(word(d) == "more" for d in degrees):
         return comparative(word(term)) + "".join(map(_measure, telling.take(term.name, "amt")))
-    said = "".join(_DEGREES.get(word(d), word(d)) + " " for d in degrees) + word(term)
+    amounts = telling.take(term.name, "amt")
+    measures = [f"{a.literal} {word(a) if a.literal == '1' else plural(word(a))} " for a in amounts]
+    more = [_DEGREES.get(word(d), word(d)) + " " for d in degrees]
+    said = "".join((*measures, *more)) + word(term)
     return f"made of {said}" if _is_material(term) else said
 
 
