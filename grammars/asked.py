@@ -12,7 +12,8 @@ from typing import Final
 from grammars.alist import AList
 from grammars.alternatives import one_each
 from grammars.build import Build, NoMeaningError, particles
-from grammars.clauses import clause, regarding
+from grammars.clauses import clause
+from grammars.comparing import regarding
 from grammars.mentions import PLACES
 from grammars.topics import DEEDS, does_so
 from grammars.vocabulary import BORN

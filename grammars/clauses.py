@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Final
 
 from grammars.alist import AList
+from grammars.comparing import regarding
 from grammars.errors import NoMeaningError
 from grammars.hedges import preference
 from grammars.mentions import VERB_SLOTS
@@ -233,15 +234,6 @@ def _is_knowable(np: AList) -> bool:
     """People, animals and the like may be known, and what is no thing at all: nobody "knows the drill"."""
     tool = kind(np) in TOOLS and np.slot("det") == "the"
     return not (tool or np.has("pron"))
-
-
-def regarding(build: Build, who: str, complement: AList, negated: bool = False) -> str:
-    """ "Afraid of cats", "tired of turning", "married to Lucy"."""
-    hq = build.quality(who, complement, negated)
-    doing = complement.find("gerunding")
-    about = build.thing(complement.first("np")) if doing is None else build.action(doing)
-    build.add("loc", complement.slot("regard", "of"), loc=hq, wrt=about)
-    return hq
 
 
 def put_nowhere(verb: str, said: AList, thing: AList | None) -> bool:

@@ -1,4 +1,4 @@
-"""Comparisons into nets: "taller than Mary", "as tall as Mary", "the same size as the ball"."""
+"""Qualities that regard something else into nets: "taller than Mary", "the same size as the ball", "afraid of cats"."""
 
 from __future__ import annotations
 
@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Final
 from grammars.alist import AList
 
 if TYPE_CHECKING:
+    from grammars.build import Build
     from grammars.things import Things
 
 MUCH: Final = {"a bit": "little", "a little": "little", "slightly": "little", "even": "even"}
@@ -38,4 +39,13 @@ def comparison(build: Things, name: str, compared: AList, negated: bool) -> str:
     hq = build.add("hq", word, hq=name, than=other, negated=negated)
     for deg in compared.all("deg"):  # "much heavier than that"
         build.add("deg", MUCH.get(deg.value or "", "much"), deg=hq)
+    return hq
+
+
+def regarding(build: Build, who: str, complement: AList, negated: bool = False) -> str:
+    """ "Afraid of cats", "tired of turning", "married to Lucy"."""
+    hq = build.quality(who, complement, negated)
+    doing = complement.find("gerunding")
+    about = build.thing(complement.first("np")) if doing is None else build.action(doing)
+    build.add("loc", complement.slot("regard", "of"), loc=hq, wrt=about)
     return hq
