@@ -5,7 +5,6 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Final
 
 from grammars.alist import AList
-from grammars.comparing import regarding
 from grammars.errors import NoMeaningError
 from grammars.hedges import preference
 from grammars.mentions import VERB_SLOTS
@@ -103,17 +102,12 @@ def clause(build: Build, part: AList, subject: str = "", topical: bool = False) 
         said = build.board[before:]
         build.claims.update(n for n in said if ("hq", agent) in build.sketch.terms[n].links)
         return main
-    if (complement := part.find("complement")) is not None:
-        return regarding(build, agent, complement, negated)
     if (owner := part.find("owner_of")) is not None:
         return build.owned(agent, owner, negated)
     if (qual := part.find("qual")) is not None:
         if qual.slot("hq") in WAYS:  # "the light turns right"
             raise NoMeaningError(str(part))
-        hq = build.quality(agent, qual, negated)
-        if here := part.slot("hereabouts"):  # "it is cold in here"
-            build.add("loc", here, loc=hq)
-        return hq
+        return build.quality(agent, qual, negated)
     if (where := part.find("whereis")) is not None:
         return build.add("act", "ask", agt=agent, obj=build.whereabouts(where))
     if (listener := part.find("listener")) is not None and listener.parts:

@@ -8,7 +8,7 @@ from grammars.alist import AList
 from grammars.chains import particles
 from grammars.clauses import PUTTING
 from grammars.errors import NoMeaningError
-from grammars.mentions import PLACES, VERB_SLOTS, is_time
+from grammars.mentions import PLACES, VERB_SLOTS, compounded, is_time
 from grammars.sorts import is_bare, is_kind_of_it, usages
 
 if TYPE_CHECKING:
@@ -106,3 +106,21 @@ def _doing(build: Things, name: str, rel: AList) -> None:
         raise NoMeaningError(str(rel))  # "the block that thanks"
     act = build.add("act", "have" if rel.has("has_it") else verb, **links)
     build.modifiers(act, going)
+
+
+def kind_of(build: Things, name: str, kindof: AList, negated: bool) -> str:
+    """Say of what kind a thing is, with all that is said of the kind; the node of that."""
+    kind = kindof.slot("ako") or kindof.slot("akos")
+    for qual in kindof.all("qual"):
+        build.quality(name, qual, negated and not kind)
+    if not kind:
+        raise NoMeaningError(str(kindof))
+    node = build.kind(name, kind, compounded(kindof), negated)
+    for rel in kindof.all("rel"):
+        relative(build, name, kindof, rel)
+    if (belongs := kindof.find("belongs")) is not None:  # "a friend of Lucy's"
+        build.owned(name, belongs)
+    if (of := kindof.find("np")) is not None:
+        build.add("own", own=name, of=build.thing(of, person=True))
+    build.possessed(name, kindof)
+    return node

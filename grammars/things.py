@@ -33,7 +33,7 @@ from grammars.mentions import (
     place_word,
     with_apposed,
 )
-from grammars.relatives import relative
+from grammars.relatives import kind_of, relative
 from grammars.sorts import agrees, is_nothing
 from grammars.vocabulary import BORN
 from kernel.memory.recall import PERSONS
@@ -254,7 +254,7 @@ class Things:
                 self.place("loc", main, about)
             return main
         if (kindof := pred.find("kindof")) is not None:
-            return self._kind_of(name, kindof, negated)
+            return kind_of(self, name, kindof, negated)
         if (loc := pred.find("loc")) is not None:
             return self.place("loc", name, loc, negated)
         if (side := pred.find("side")) is not None:
@@ -285,22 +285,6 @@ class Things:
         if (belongs := pred.find("belongs")) is not None:
             return self.owned(name, belongs, negated)
         raise NoMeaningError(str(pred))
-
-    def _kind_of(self, name: str, kindof: AList, negated: bool) -> str:
-        kind = kindof.slot("ako") or kindof.slot("akos")
-        for qual in kindof.all("qual"):
-            self.quality(name, qual, negated and not kind)
-        if not kind:
-            raise NoMeaningError(str(kindof))
-        node = self.kind(name, kind, compounded(kindof), negated)
-        for rel in kindof.all("rel"):
-            relative(self, name, kindof, rel)
-        if (belongs := kindof.find("belongs")) is not None:  # "a friend of Lucy's"
-            self.owned(name, belongs)
-        if (of := kindof.find("np")) is not None:
-            self.add("own", own=name, of=self.thing(of, person=True))
-        self.possessed(name, kindof)
-        return node
 
     def place(self, role: str, name: str, loc: AList, negated: bool = False) -> str:
         """Say where something is or is done; the node of that."""

@@ -205,8 +205,6 @@ def _check_subject(said: AList) -> None:
 def _is_remark(said: AList, pron: str) -> bool:
     """ "It's a small world", "that is a good question"; "it is raining", "you are hopeless" in a word nobody taught."""
     pred, going = said.find("pred"), said.find("going")
-    if said.has("complement"):
-        return pron in (*IT, "you")
     if going is not None:
         verb = going.slot("gerund") or going.value or ""
         return BORN.readings(verb).keys().isdisjoint(("VERB", "STATE"))

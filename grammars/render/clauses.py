@@ -10,18 +10,9 @@ from grammars.earley import closed_words
 from grammars.mentions import WOMEN
 from grammars.morphology import article, comparative, gerund, past, third_person
 from grammars.render.deeds import be, deed
+from grammars.render.qualities import degree, quality
 from grammars.render.telling import SAYING, Telling, is_predicate, linked, word
-from grammars.render.things import (
-    PRONOUNS,
-    alike,
-    degree,
-    description,
-    kind,
-    place,
-    proper,
-    quality,
-    thing,
-)
+from grammars.render.things import PRONOUNS, alike, description, kind, place, proper, thing
 from grammars.sorts import NOBODY
 from grammars.vocabulary import BORN
 from kernel.net.graphlet import Graphlet, Term

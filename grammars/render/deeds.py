@@ -7,8 +7,9 @@ from typing import Final, Literal
 
 from grammars.chains import TIMES
 from grammars.morphology import gerund, past, plural, third_person
+from grammars.render.qualities import degree
 from grammars.render.telling import Telling, linked, word
-from grammars.render.things import degree, literally, place, thing
+from grammars.render.things import literally, place, thing
 from kernel.memory.editing import OTHER_WAY
 from kernel.net.graphlet import Term
 

@@ -7,8 +7,9 @@ from dataclasses import replace
 
 from grammars.render.clauses import conditions, wonder, wonders
 from grammars.render.deeds import VerbForm, deed
+from grammars.render.qualities import quality
 from grammars.render.telling import Telling, is_predicate, linked
-from grammars.render.things import quality, thing
+from grammars.render.things import thing
 from kernel.action.chain import Chain, Directive, Loop, Part, Play
 from kernel.net.graphlet import Graphlet, Term
 

@@ -10,9 +10,9 @@ from grammars.morphology import (
     gerund,
     past,
     plural,
-    superlative,
     third_person,
 )
+from grammars.render.qualities import is_material, quality
 from grammars.render.telling import Telling, linked, word
 from grammars.vocabulary import BORN
 from kernel.memory.recall import PERSONS
@@ -42,7 +42,6 @@ _VAGUE: Final = {"somebody": "somebody", "every": "everything"}
 _BE: Final = {"I": "am", "you": "are"}
 _ONGOING: Final = ("hold", "carry", "wear", "watch")
 _FELT: Final = tuple("see hear want like love need have know own hate prefer mean smell".split())
-_DEGREES: Final = {"little": "a little", "fully": "all the way"}
 
 
 def thing(telling: Telling, name: str, case: Case = "object") -> str:
@@ -85,37 +84,6 @@ def proper(name: str) -> str:
 def literally(text: str) -> str:
     """Quoted speech between quotation marks."""
     return '"' + text.replace('"', "'") + '"'
-
-
-def degree(telling: Telling, name: str) -> str:
-    """What modifies a quality, direction or manner: "very ", or nothing."""
-    return "".join(_DEGREES.get(word(d), word(d)) + " " for d in telling.take(name, "deg"))
-
-
-def quality(telling: Telling, term: Term) -> str:
-    """A quality in words: very close, biggest, not heavy."""
-    degrees = telling.take(term.name, "deg")
-    if any(word(d) == "most" for d in degrees):
-        return superlative(word(term))
-    if any(word(d) == "more" for d in degrees):
-        return comparative(word(term)) + "".join(map(_measure, telling.take(term.name, "amt")))
-    amounts = telling.take(term.name, "amt")
-    measures = [f"{a.literal} {word(a) if a.literal == '1' else plural(word(a))} " for a in amounts]
-    more = [_DEGREES.get(word(d), word(d)) + " " for d in degrees]
-    said = "".join((*measures, *more)) + word(term)
-    return f"made of {said}" if _is_material(term) else said
-
-
-def _measure(amount: Term) -> str:
-    """ "Closer than 10 inches"."""
-    number, unit = amount.literal or "1", word(amount)
-    return f" than {number} {unit if number == '1' else plural(unit)}"
-
-
-def _is_material(term: Term) -> bool:
-    """What something is made of, where no adjective says so: wood, but not glass."""
-    known = BORN.readings(word(term))
-    return "NOUN" in known and "ADJ" not in known
 
 
 def alike(telling: Telling, term: Term) -> str:
@@ -164,7 +132,7 @@ def description(telling: Telling, name: str, noun: str) -> tuple[str, str, str]:
             after.append(f"that is {alike(telling, term)}")
         elif other:
             after.append(f"that is {comparative(word(term))} than {thing(telling, other)}")
-        elif _is_material(term):
+        elif is_material(term):
             after.append(f"that is {quality(telling, term)}")
         else:
             plain.append(quality(telling, term))
