@@ -153,3 +153,9 @@ def test_and_is_one_play_and_then_binds_looser() -> None:
 )
 def test_quoted_speech_is_taken_as_said(text: str, quote: str) -> None:
     assert f"-str- {quote}\n" in net(text) + "\n" or f"-str- {quote} ]" in net(text)
+
+
+def test_what_a_quality_regards_keeps_its_word() -> None:
+    assert "-lex- of" in net("Mary is afraid of dogs")
+    assert "-lex- to" in net("Peter is married to Gwen")
+    assert "-lex- at" in net("Tom is good at chess")
