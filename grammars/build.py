@@ -251,6 +251,9 @@ class Build(Things):
             self.add("act", done.slot("does"), agt=self.aside(done.first("np")), obj=wanted)
             self.things.append(Thing(wanted, done.slot("attribute")))
             return Directive("FIND", self.graphlet(wanted))
+        if (how := inquiry.find("how_so")) is not None:  # "how heavy it is"
+            hq = self.quality(self._asked_of(how), how)
+            return Directive("FIND", self.graphlet(self.add("deg", deg=hq)))
         for name, sort in WONDERS.items():
             if (asked := inquiry.find(name)) is not None:
                 thing = self._asked_of(asked)

@@ -157,9 +157,9 @@ def _subject(telling: Telling, name: str, negated: bool) -> str:
 
 
 def wonders(telling: Telling, name: str) -> bool:
-    """True where what is looked for is no thing, but what a thing is like, of what kind it is, where, or what
-    somebody does."""
-    return telling.term(name).kind in ("hq", "ako", "loc") or bool(_asked_by(telling, name))
+    """True where what is looked for is no thing, but what a thing is like and how much so, of what kind it is, where, or
+    what somebody does."""
+    return telling.term(name).kind in ("hq", "ako", "loc", "deg") or bool(_asked_by(telling, name))
 
 
 def _asked_by(telling: Telling, name: str) -> list[Term]:
@@ -177,7 +177,7 @@ def _asked_by(telling: Telling, name: str) -> list[Term]:
 
 
 def wonder(telling: Telling, name: str) -> str:
-    """What is to be found out: "what color it is", "what he speaks", "where it is"."""
+    """What is to be found out: "what color it is", "how heavy it is", "what he speaks", "where it is"."""
     term = telling.term(name)
     if asked_by := _asked_by(telling, name):
         of_kind, act = asked_by
@@ -187,6 +187,11 @@ def wonder(telling: Telling, name: str) -> str:
         verb = third_person(word(act)) if be(subject) == "is" else word(act)
         return f"what {kind(telling, of_kind)} {subject} {verb}"
     telling.stated.add(name)
+    if term.kind == "deg":
+        quality = telling.term(linked(term, "deg"))
+        telling.stated.add(quality.name)
+        subject = thing(telling, linked(quality, "hq"), "subject")
+        return f"how {word(quality)} {subject} {be(subject)}"
     attribute = [word(kind) for kind in telling.take(name, "ako")]
     subject = thing(telling, linked(term, term.kind), "subject")
     asked = "where" if term.kind == "loc" else " ".join(["what", *attribute])
