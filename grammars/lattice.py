@@ -85,7 +85,7 @@ class Lexer:
         """The lattice; guessing lets the position of a strange word decide what it is."""
         tokens = [self._token(at, piece, guessing) for at, piece in enumerate(found)]
         for at, token in enumerate(tokens):
-            if _may_be_name(token, found[at - 1] if at else None, tokens[at + 1 : at + 8]):
+            if _may_be_name(token, found[max(0, at - 2) : at], tokens[at + 1 : at + 8]):
                 tokens[at] = replace(
                     token, readings={**token.readings, "NAMELIKE": token.piece.text}
                 )
@@ -153,22 +153,24 @@ def _strange(piece: Piece, guessing: bool) -> dict[str, str]:
     return readings
 
 
-def _may_be_name(token: Token, before: Piece | None, after: Sequence[Token]) -> bool:
-    """A word that stands where a name does: written as one, told as one ("called Spot"), or a quality that is said to
-    be of some kind ("Fluffy is a kitten"); an unknown word before what persons do to the robot."""
+def _may_be_name(token: Token, before: Sequence[Piece], after: Sequence[Token]) -> bool:
+    """A word that stands where a name does: written as one, told as one ("called Spot", "the name is Spot"), or a quality
+    that is said to be of some kind ("Fluffy is a kitten"); an unknown word before what persons do to the robot."""
     words = [next_.piece.text for next_ in after[:4]]
-    if before is None and "NEWNAME" in token.readings:
+    if not before and "NEWNAME" in token.readings:
         ordering = (words[:1] in ORDERING and words[1:2] == ["you"]) or words[:2] in MAY_ORDER
         return ordering or (words[2:3] == ["than"] and words[-1] in OWN)
-    if before is None:
+    if not before:
         if words[1:2] == ["not"]:
             after, words = [after[0], *after[2:]], [words[0], *words[2:]]
         kinds = [next_.piece.text for next_ in after[2:] if not _describes(next_)][:1]
         pet = kinds and kinds[0] in PETS  # "Biscuit is a brown spaniel"
         noun = not token.readings.keys().isdisjoint(("NOUN", "NOUNS"))
         return words[:2] in NAMING and ("ADJ" in token.readings or (noun and bool(pet)))
-    told = token.piece.capital or before.text in CALLING
-    return told and not token.readings.keys().isdisjoint(("ADJ", "NOUN", "NOUNS"))
+    said = [piece.text for piece in before]
+    told = said[-1] in CALLING or said == ["name", "is"]
+    nameable = ("ADJ", "NOUN", "NOUNS", *(("STRANGE",) if told else ()))
+    return (told or token.piece.capital) and not token.readings.keys().isdisjoint(nameable)
 
 
 def _describes(token: Token) -> bool:

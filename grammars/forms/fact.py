@@ -191,15 +191,23 @@ def _check_subject(said: AList) -> None:
         raise NoMeaningError("a remark")
     known = ("name", "det", "own", "owner", "pron", "vague")
     vague = subject.slot("vague")
+    there = _stands_somewhere(said)
     generic = (
         not any(subject.has(part) for part in known)
-        or subject.slot("det") in ("a", "an", "any", "no")
+        or (subject.slot("det") in ("a", "an") and not there)
+        or subject.slot("det") in ("any", "no")
         or vague.startswith(("any", "who"))
         or subject.slot("ako") == "name"
         or (vague and pred is not None and pred.has("kindof"))
     )
     if generic or subject.slot("pron") in ("i", "me") or _is_saying(said, subject):
         raise NoMeaningError(str(said))
+
+
+def _stands_somewhere(said: AList) -> bool:
+    """ "A person is standing behind you" tells of one that is there now."""
+    going = said.find("going")
+    return going is not None and going.has("place") and going.slot("gerund") in STANDING
 
 
 def _is_remark(said: AList, pron: str) -> bool:
