@@ -154,8 +154,9 @@ def _strange(piece: Piece, guessing: bool) -> dict[str, str]:
 
 
 def _may_be_name(token: Token, before: Sequence[Piece], after: Sequence[Token]) -> bool:
-    """A word that stands where a name does: written as one, told as one ("called Spot", "the name is Spot"), or a quality
-    that is said to be of some kind ("Fluffy is a kitten"); an unknown word before what persons do to the robot."""
+    """A word that stands where a name does: written as one, told as one ("called Spot", "the name is Spot"), or a
+    quality that is said to be of some kind ("Fluffy is a kitten"); an unknown word before what persons do to the robot.
+    """
     words = [next_.piece.text for next_ in after[:4]]
     if not before and "NEWNAME" in token.readings:
         ordering = (words[:1] in ORDERING and words[1:2] == ["you"]) or words[:2] in MAY_ORDER

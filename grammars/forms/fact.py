@@ -207,7 +207,10 @@ def _check_subject(said: AList) -> None:
 def _stands_somewhere(said: AList) -> bool:
     """ "A person is standing behind you" tells of one that is there now."""
     going = said.find("going")
-    return going is not None and going.has("place") and going.slot("gerund") in STANDING
+    place = None if going is None else going.find("place")
+    if going is None or place is None or going.slot("gerund") not in STANDING:
+        return False
+    return any(loc.has("prep") for loc in place.all("loc"))
 
 
 def _is_remark(said: AList, pron: str) -> bool:

@@ -157,8 +157,8 @@ def _subject(telling: Telling, name: str, negated: bool) -> str:
 
 
 def wonders(telling: Telling, name: str) -> bool:
-    """True where what is looked for is no thing, but what a thing is like and how much so, of what kind it is, where, or
-    what somebody does."""
+    """True where what is looked for is no thing, but what a thing is like and how much so, of what kind it is, where it
+    is, or what somebody does."""
     return telling.term(name).kind in ("hq", "ako", "loc", "deg") or bool(_asked_by(telling, name))
 
 
