@@ -45,6 +45,8 @@ def control(alist: AList) -> Control:
     forget = alist.find("forget")
     if forget is not None and (told := forget.find("told_again")) is not None:
         (again,) = told.parts
+        if again.has("several"):
+            raise NoMeaningError("more than one lesson")
         meaning = FORMS[again.name].build(again)
         if not isinstance(meaning, Teach | Fact):
             raise NoMeaningError(str(alist))

@@ -206,11 +206,10 @@ def _check_subject(said: AList) -> None:
 
 def _stands_somewhere(said: AList) -> bool:
     """ "A person is standing behind you" tells of one that is there now."""
-    going = said.find("going")
-    place = None if going is None else going.find("place")
-    if going is None or place is None or going.slot("gerund") not in STANDING:
-        return False
-    return any(loc.has("prep") for loc in place.all("loc"))
+    doing = said.find("going") or said
+    place = doing.find("place")
+    stands = doing.slot("gerund") or doing.slot("does")
+    return stands in STANDING and place is not None and any(loc.has("prep") for loc in place.all("loc"))
 
 
 def _is_remark(said: AList, pron: str) -> bool:

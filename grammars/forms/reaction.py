@@ -25,7 +25,7 @@ EXAMPLES = (
     "say bless you when someone sneezes",
     "if you fail to grab something say oops",
     "When you can't do something, say sorry.",
-    "if you see a spider, let me know",
+    "whenever you see a spider, let me know",
 )
 
 
