@@ -209,7 +209,11 @@ def _stands_somewhere(said: AList) -> bool:
     doing = said.find("going") or said
     place = doing.find("place")
     stands = doing.slot("gerund") or doing.slot("does")
-    return stands in STANDING and place is not None and any(loc.has("prep") for loc in place.all("loc"))
+    return (
+        stands in STANDING
+        and place is not None
+        and any(loc.has("prep") for loc in place.all("loc"))
+    )
 
 
 def _is_remark(said: AList, pron: str) -> bool:
