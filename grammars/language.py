@@ -11,10 +11,13 @@ import random
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
 from functools import cache, cached_property
+from itertools import cycle
 from typing import Final
 
 from grammars.automaton import Automaton, sample
 from grammars.drawn import Deal, Shape, drawn, words
+from grammars.earley import closed_words
+from grammars.finite_state import POSSESSIVE
 from grammars.heard import automaton
 from grammars.parse import understood
 from grammars.vocabulary import BORN, Readings, Vocabulary
@@ -86,7 +89,20 @@ def _born() -> tuple[str, ...]:
         deal.said(shape, given, KEPT) for shape, given in found.examples for _ in range(LIKE_EACH)
     )
     common = {word: BORN.born[word] for word in sorted(automaton().words) if word in BORN.born}
-    return (*like, *map(deal.said, found.rules), *_with_each(common))
+    likely = (*like, *map(deal.said, found.rules), *_with_each(common))
+    return (*likely, *_unsaid(frozenset(word for said in likely for word in said.split())))
+
+
+def _unsaid(said: frozenset[str]) -> Iterator[str]:
+    """A sentence with each of the words that are none of those said: plurals, most of them; or the word alone."""
+    deal = Deal(words())
+    yield from sorted(closed_words() - said)
+    whole = [shape for shape in drawn().rules if f'"{POSSESSIVE}"' not in shape]
+    for category, known in words().items():
+        shapes = [shape for shape in whole if category in shape]
+        left = [word for word in known if not said.issuperset(word.split())]
+        for word, shape in zip(left, cycle(shapes), strict=False):
+            yield deal.said(tuple(f'"{word}"' if part == category else part for part in shape))
 
 
 def _with_each(lexicon: Mapping[str, Readings]) -> Iterator[str]:

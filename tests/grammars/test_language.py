@@ -4,8 +4,10 @@ from __future__ import annotations
 
 import pytest
 
-from grammars.heard import kind
+from grammars.drawn import Deal, Draw, words
+from grammars.heard import SILENT, kind
 from grammars.language import OF_EACH_WORD, Language, language
+from grammars.registry import discover
 from grammars.vocabulary import BORN, Vocabulary
 
 TAUGHT = Vocabulary(BORN.born, {"zork": {"VERB": "zork"}, "blick": {"NOUN": "blick"}})
@@ -42,6 +44,18 @@ def test_more_is_read_than_is_listened_for(born: Language) -> None:
     assert kind(said) == "command"
     assert born.lists("drive forward")
     assert not born.reads("table the polish could")
+
+
+@pytest.mark.parametrize("form", sorted(n for n, form in discover().items() if not form.expected))
+def test_every_sentence_of_a_form_is_one_that_the_ears_know(born: Language, form: str) -> None:
+    """What is drawn from the grammar and means something is accepted, and has no word that cannot be heard."""
+    draw, deal = Draw(words(), seed=5), Deal(words(), seed=5)
+    shapes = [tuple(part for part in draw.of(form, 7) if part not in SILENT) for _ in range(60)]
+    read = [text for text in map(deal.said, shapes) if kind(text)]
+    assert len(read) >= 3
+    for text in read:
+        assert born.reads(text)
+        assert born.words.issuperset(word.removesuffix("'s") for word in text.split()), text
 
 
 def test_a_taught_word_is_read(born: Language) -> None:
