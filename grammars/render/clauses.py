@@ -75,8 +75,8 @@ def clause(telling: Telling, term: Term, hedge: str, others: Iterable[Term] = ()
     with_kind = role == "ako" and not _picked_out(telling, name)
     later = telling.about(name, "hq", "loc", "own") if with_kind else []
     known = any(found.main == name for found in telling.described)
-    mine: list[Term] = []
-    if term.negated and known:  # "it is not my hat and it is Tom's"
+    denying, mine = term.negated and known, list[Term]()
+    if denying:  # "it is not my hat and it is Tom's"
         later = [other for other in telling.about(name, *SAYING) if other in telling.new(term)]
         mine = [other for other in later if role == "ako" and linked(other, "own")][:1]
     elif not with_kind:  # "the man in the red coat is Greg's uncle"
@@ -85,9 +85,9 @@ def clause(telling: Telling, term: Term, hedge: str, others: Iterable[Term] = ()
     telling.hold_back((*waiting, *later))
     verb = "are" if name in telling.also else ""
     subject = _subject(telling, name, term.negated)
-    telling.release(later if not term.negated else mine)
+    telling.release(mine if denying else later)
     rest = _COMPLEMENTS[role](telling, term)
-    telling.release(other for other in later if term.negated and other not in mine)
+    telling.release(other for other in later if denying and other not in mine)
     if role == "hq":  # "red and small"
         also = [other for other in telling.about(name, "hq") if _is_told(telling, term, other)]
         also = [] if term.negated else [other for other in also if not other.negated]
