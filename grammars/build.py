@@ -285,12 +285,10 @@ class Build(Things):
                 made += plays(self, part)
             elif part.name == "chain":
                 made += self.chain(part).plays
-            elif part.name == "elliptic" and not part.has(
-                "barely"
-            ):  # "look on the bed, then under it"
-                made += self.chain(that_too(chain, part)).plays
-            elif part.name == "elliptic":  # "turn left then right"
+            elif part.name == "elliptic" and part.has("barely"):  # "turn left then right"
                 made += self.chain(bare_chain(part)).plays
+            elif part.name == "elliptic":  # "look on the bed, then under it"
+                made += self.chain(that_too(chain, part)).plays
         return Chain(tuple(made))
 
     def looked_up(self) -> list[Play]:

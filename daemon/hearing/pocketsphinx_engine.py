@@ -1,9 +1,9 @@
 """pocketsphinx: an English model of real voices comes in its wheel.
 
 Like Vosk it is told which words follow which in phrases of the whole language, and the language says which of its
-hypotheses are sentences. An automaton of what is listened for took three times the memory and the time, heard fewer of
-the demonstration's sentences whole, and of all others hardly one. The cepstral mean is reset
-for each utterance.
+hypotheses are sentences. An automaton of what is listened for took three times the memory and the time. It heard more
+of the sentences that are listened for whole (81 % where this has 74), but fewer of the demonstration's and hardly one
+of all others, and took a quarter of the chatter for sentences. The cepstral mean is reset for each utterance.
 """
 
 from __future__ import annotations
