@@ -15,13 +15,14 @@ from grammars.build import Build, NoMeaningError, particles
 from grammars.clauses import clause
 from grammars.comparing import regarding
 from grammars.mentions import PLACES
+from grammars.render.telling import SAYING
 from grammars.topics import DEEDS, does_so
 from grammars.vocabulary import BORN
 
 YOU: Final = AList("np", (AList("pron", value="you"),))
 # What stands for a deed without naming it: "do", "do that".
 BLANK: Final = ("do_it", "do_that", "doing_it", "doing_that")
-SUBJECTS: Final = ("agt", "hq", "loc", "own", "ako")
+SUBJECTS: Final = ("agt", *SAYING)
 SEVERAL: Final = {
     "several": "action",
     "several_doing": "gerunding",

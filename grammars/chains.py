@@ -12,7 +12,7 @@ from grammars.clauses import clause, condition, names
 from grammars.errors import NoMeaningError
 from grammars.mentions import somebody
 from grammars.sorts import usages
-from grammars.usage import is_odd_end
+from grammars.usage import TURNERS, is_odd_end
 from grammars.vocabulary import BORN, lines
 from kernel.action.chain import Chain, Directive, Loop, Part, Play
 from kernel.net.graphlet import Graphlet, Term
@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 
 P = TypeVar("P", Directive, Loop)
 TURNS: Final = frozenset(("left", "right", "clockwise", "counterclockwise", "around"))
-TURNING: Final = frozenset("turn rotate spin swivel pivot twirl circle twist revolve roll".split())
+TURNING: Final = TURNERS | {"roll"}
 TIMES: Final = frozenset(("second", "minute", "hour"))
 HOLDING: Final = frozenset("hold carry have see hear".split())
 FRACTIONS: Final = {"quarter": 0.25, "half": 0.5}

@@ -11,19 +11,17 @@ from grammars.mentions import VERB_SLOTS
 from grammars.sorts import is_abstract, is_kind_of_it, kind, may_be_called, usages
 from grammars.timing import by_time, it_is, tells_time, timed
 from grammars.usage import WAYS
-from grammars.vocabulary import lines
+from grammars.vocabulary import BORN
 from kernel.action.chain import Directive
-from kernel.memory.contraries import EXCLUSIVE
+from kernel.memory.contraries import PAIRS
 from kernel.memory.lesson import Operator
 from kernel.net.graphlet import Graphlet, Term
 
 if TYPE_CHECKING:
     from grammars.build import Build
 
-PAIRS: Final = tuple(group for group in EXCLUSIVE if len(group) == 2)
 TOOLS: Final = ("drill", "ropes", "score")
 SENSED: Final = ("see", "hear", "feel", "smell")
-GIVERS: Final = frozenset(word for line in lines("givers") for word in line.split())
 PUTTING: Final = ("put", "place", "lay", "set", "stack", "put down", "set down", "lay down")
 
 
@@ -201,7 +199,7 @@ def _doing(build: Build, part: AList, agent: str, objects: list[AList], negated:
     elif body.has("name"):
         links["obj"] = build.thing(body, person=False)
     if (iobj := body.find("iobj")) is not None:
-        if verb not in GIVERS:
+        if "GIVE" not in BORN.readings(verb):
             raise NoMeaningError(str(part))
         links["dest"] = build.thing(iobj.first("np"), person=True)
     if (dest := body.find("dest")) is not None:

@@ -26,6 +26,8 @@ LIKE_EACH: Final = 100
 """Sentences like each example: with 30 two in a hundred fewer were heard whole."""
 KEPT: Final = 0.25
 """Share of the words of an example that stay in sentences like it: "drive forward" is said oftener than other pairs."""
+TYPICAL: Final = 40
+"""How often a sentence that people say is put among the phrases."""
 OF_EACH_WORD: Final = 10
 """Sentences, at most, with each word that was taught and of those that are listened for."""
 
@@ -51,6 +53,11 @@ class Language:
         """Every word that may be heard."""
         return self.listed.words.union(*(said.split() for said in (*self.typical, *self.likely)))
 
+    @property
+    def phrases(self) -> tuple[str, ...]:
+        """What an engine learns from: what people say counts TYPICAL times."""
+        return (*self.typical * TYPICAL, *self.likely)
+
     def plain(self) -> Language:
         """With no other words than those that are listened for."""
         known = self.listed.words
@@ -73,13 +80,20 @@ class Language:
 def language(vocabulary: Vocabulary = BORN) -> Language:
     """What may be said by someone who has taught these words."""
     likely = (*_born(), *_with_each(vocabulary.taught))
-    return Language(automaton(vocabulary), drawn().typical, likely, vocabulary.taught)
+    listed = automaton(vocabulary) if vocabulary.taught else _listed()
+    return Language(listed, drawn().typical, likely, vocabulary.taught)
+
+
+@cache
+def _listed() -> Automaton:
+    """What is listened for at birth."""
+    return automaton()
 
 
 @cache
 def listened_for(count: int) -> tuple[str, ...]:
     """So many of the sentences that are listened for at birth, drawn at random."""
-    return tuple(sample(automaton(), count, random.Random(1)))
+    return tuple(sample(_listed(), count, random.Random(1)))
 
 
 @cache
@@ -88,7 +102,7 @@ def _born() -> tuple[str, ...]:
     like = (
         deal.said(shape, given, KEPT) for shape, given in found.examples for _ in range(LIKE_EACH)
     )
-    common = {word: BORN.born[word] for word in sorted(automaton().words) if word in BORN.born}
+    common = {word: BORN.born[word] for word in sorted(_listed().words) if word in BORN.born}
     likely = (*like, *map(deal.said, found.rules), *_with_each(common))
     return (*likely, *_unsaid(frozenset(word for said in likely for word in said.split())))
 

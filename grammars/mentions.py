@@ -8,7 +8,7 @@ from typing import Final
 from grammars.alist import AList
 from grammars.errors import NoMeaningError
 from grammars.morphology import gerund
-from grammars.sorts import is_abstract, is_bare, is_nothing, kind
+from grammars.sorts import is_abstract, is_bare, is_nothing, is_people, kind
 from grammars.usage import TIMES_OF_DAY
 from grammars.vocabulary import BORN
 
@@ -144,7 +144,7 @@ def is_definite(np: AList) -> bool:
 def is_person(np: AList) -> bool:
     """The noun phrase names a person, or tells of one."""
     of_persons = np.slot("pron") in PERSONAL | {"them"} or np.slot("vague") in PERSON_WORDS
-    return np.has("name") or of_persons or "PERSON" in BORN.readings(kind(np))
+    return np.has("name") or of_persons or is_people(np)
 
 
 def is_addressed(verb: str, speech: AList) -> bool:

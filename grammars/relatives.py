@@ -9,7 +9,7 @@ from grammars.chains import particles
 from grammars.clauses import PUTTING
 from grammars.errors import NoMeaningError
 from grammars.mentions import PLACES, VERB_SLOTS, compounded, is_time
-from grammars.sorts import is_bare, is_kind_of_it, usages
+from grammars.sorts import is_bare, is_kind_of_it, kind, usages
 
 if TYPE_CHECKING:
     from grammars.things import Things
@@ -110,12 +110,12 @@ def _doing(build: Things, name: str, rel: AList) -> None:
 
 def kind_of(build: Things, name: str, kindof: AList, negated: bool) -> str:
     """Say of what kind a thing is, with all that is said of the kind; the node of that."""
-    kind = kindof.slot("ako") or kindof.slot("akos")
+    called = kind(kindof)
     for qual in kindof.all("qual"):
-        build.quality(name, qual, negated and not kind)
-    if not kind:
+        build.quality(name, qual, negated and not called)
+    if not called:
         raise NoMeaningError(str(kindof))
-    node = build.kind(name, kind, compounded(kindof), negated)
+    node = build.kind(name, called, compounded(kindof), negated)
     for rel in kindof.all("rel"):
         relative(build, name, kindof, rel)
     if (belongs := kindof.find("belongs")) is not None:  # "a friend of Lucy's"

@@ -54,6 +54,11 @@ def kind(np: AList) -> str:
     return np.slot("ako") or np.slot("akos")
 
 
+def is_people(np: AList) -> bool:
+    """It tells of persons, by what they are called as such: a girl, doctors."""
+    return "PERSON" in BORN.readings(kind(np))
+
+
 def is_abstract(np: AList) -> bool:
     """It tells of nothing that could be handled or owned."""
     said = kind(np)
@@ -87,7 +92,7 @@ def may_be_called(np: AList) -> bool:
     if is_bare(np) and np.has("ako"):  # "name is Freddy"
         return False
     named = not BORN.knows(said) or is_abstract(np) or said in classes()["named"]
-    return named or "PERSON" in BORN.readings(said)
+    return named or is_people(np)
 
 
 def is_kind_of_it(np: AList, kindof: AList) -> bool:
@@ -120,4 +125,4 @@ def may_receive(np: AList) -> bool:
     """Something is given to somebody in particular, or to people: "give people flowers", and not "give walls paint"."""
     if is_country(np):
         return False
-    return not is_bare(np) or not BORN.knows(kind(np)) or "PERSON" in BORN.readings(kind(np))
+    return not is_bare(np) or not BORN.knows(kind(np)) or is_people(np)

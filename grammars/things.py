@@ -34,7 +34,7 @@ from grammars.mentions import (
     with_apposed,
 )
 from grammars.relatives import kind_of, relative
-from grammars.sorts import agrees, is_nothing
+from grammars.sorts import agrees, is_nothing, kind
 from grammars.vocabulary import BORN
 from kernel.memory.recall import PERSONS
 from kernel.net.graphlet import Graphlet, Sketch, Term
@@ -108,13 +108,10 @@ class Things:
             return self.oneself(SELF[pron])
         if pron:
             return self.pronoun(pron)
-        det, kind = (
-            np.slot("det"),
-            " ".join(filter(None, (np.slot("ako") or np.slot("akos"), np.slot("numbered")))),
-        )
-        if (np.has("name") or det in ("the", "that", "this")) and (same := self._same(np, kind)):
+        det, called = np.slot("det"), " ".join(filter(None, (kind(np), np.slot("numbered"))))
+        if (np.has("name") or det in ("the", "that", "this")) and (same := self._same(np, called)):
             return same
-        return self._described(np, det, kind, person)
+        return self._described(np, det, called, person)
 
     def aside(self, np: AList) -> str:
         """Node of a thing that tells where something is, or where to."""

@@ -16,13 +16,13 @@ from grammars.sorts import (
     is_bare,
     is_country,
     is_nothing,
+    is_people,
     is_recited,
     kind,
     may_receive,
     persons_own,
     usages,
 )
-from grammars.vocabulary import BORN
 
 WAYS: Final = frozenset(
     "left right forward backward clockwise counterclockwise sideways straight".split()
@@ -139,7 +139,7 @@ def _lacks(action: AList, obj: AList | None, uses: frozenset[str]) -> bool:
     making = obj is not None and (
         obj.has("pron")
         or obj.has("name")
-        or "PERSON" in BORN.readings(kind(obj))
+        or is_people(obj)
         or any(m.has("faster") for m in action.all("manner"))
     )
     lacking = "needing" in uses or any(
@@ -176,7 +176,7 @@ def _goes_to_itself(action: AList, obj: AList | None, uses: frozenset[str]) -> b
         loc = place.first("loc")
         marks += (np.slot("pron") for np in loc.all("np"))
         named = any(np.has("name") for np in loc.all("np"))
-        people = any("PERSON" in BORN.readings(kind(np)) for np in loc.all("np"))
+        people = any(map(is_people, loc.all("np")))
         if loc.slot("prep") == "on" and (named or people or "it" in marks):
             return True
     return not {"you", "yourself"}.isdisjoint(marks)
@@ -197,12 +197,7 @@ def _takes_each(action: AList, every: AList, uses: frozenset[str]) -> bool:
 
 def _is_called(np: AList) -> bool:
     """ "Carry on, doctor": who is told so, and nothing that it is done to."""
-    return (
-        np.has("ako")
-        and is_bare(np)
-        and "PERSON" in BORN.readings(kind(np))
-        and kind(np) != "person"
-    )
+    return np.has("ako") and is_bare(np) and is_people(np) and kind(np) != "person"
 
 
 def _takes(action: AList, obj: AList, uses: frozenset[str], pattern: bool) -> bool:

@@ -13,6 +13,7 @@ from grammars.asked import BLANK, DESCRIBING, YOU, Said, by_robot, drawn, fill, 
 from grammars.build import Build, NoMeaningError
 from grammars.chains import TIMES
 from grammars.mentions import EVERY, PLACES, compounded
+from grammars.sorts import kind
 from grammars.topics import DEEDS
 from kernel.memory.meaning import Ask, Question
 from kernel.net.graphlet import Graphlet
@@ -280,10 +281,9 @@ def same_thing(build: Build, body: AList) -> Question:
     thing, one = build.thing(body.first("np")), body.first("related")
     for qual in one.all("qual"):
         build.quality(thing, qual)
-    kind = one.slot("ako") or one.slot("akos")
-    if not kind:
+    if not (called := kind(one)):
         raise NoMeaningError(str(body))
-    build.kind(thing, kind, compounded(one))
+    build.kind(thing, called, compounded(one))
     of_clause(build, one, thing)
     return Question("yesno", build.graphlet(thing))
 

@@ -26,8 +26,6 @@ from grammars.language import Language, listened_for
 SHIPPED = "en-us"
 SETTINGS: Final = {"lm": None, "fwdflat": False}
 """Without a second pass: what it gave came with scores that cannot be compared, and it took a third more time."""
-TYPICAL: Final = 40
-"""How often a sentence that people say is put among the phrases."""
 LISTED: Final = 20_000
 """Sentences that are listened for among the phrases: with them a fifth more of such was heard whole."""
 ALTERNATIVES: Final = 30
@@ -76,7 +74,7 @@ class PocketsphinxRecogniser:
 
         Each language has a name of its own: adding one again under the active name crashes the decoder.
         """
-        phrases = [*language.typical] * TYPICAL + [*language.likely, *listened_for(LISTED)]
+        phrases = (*language.phrases, *listened_for(LISTED))
         words = language.words
         unheard = {word for word in words if self._decoder.lookup_word(word) is None}
         before, self._version = self._name, self._version + 1

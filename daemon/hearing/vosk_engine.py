@@ -23,9 +23,6 @@ UNKNOWN = "[unk]"
 UNKNOWN_SHARE = 20
 """One [unk] for so many phrases: with a single one, its share of the bigram vanishes as the list grows."""
 
-TYPICAL = 40
-"""How often a sentence that people say is put among the phrases."""
-
 LISTED = 5.0
 """Nats by which a sentence that is listened for is taken to be likelier than any other: without it "to shimmy" came out
 as "to show me" in a voice of three; and with 6 other sentences began to be taken for such ones."""
@@ -99,8 +96,7 @@ class VoskRecogniser:
                 return phrase
             return " ".join(parts_of.get(word, word) for word in words)
 
-        phrases = [*language.typical] * TYPICAL + [*language.likely]
-        phrases = [spelled(said) for said in phrases if unheard.isdisjoint(said.split())]
+        phrases = [spelled(said) for said in language.phrases if unheard.isdisjoint(said.split())]
         grammar = phrases + [UNKNOWN] * (1 + len(phrases) // UNKNOWN_SHARE)
         self._recogniser = vosk.KaldiRecognizer(self._model, float(RATE_HZ), json.dumps(grammar))
         self._recogniser.SetMaxAlternatives(ALTERNATIVES)

@@ -10,6 +10,7 @@ from grammars.clauses import clause
 from grammars.manners import NOT_TOO
 from grammars.mentions import EVERY, OWNING, is_definite, is_person, is_time, may_be_person
 from grammars.registry import sentence_form
+from grammars.render.telling import SAYING
 from grammars.sorts import is_abstract
 from grammars.vocabulary import BORN, set_phrases
 from kernel.memory.meaning import Fact
@@ -92,25 +93,21 @@ def _each_told(alist: AList) -> list[AList]:
     if alist.has("it_is_so") and not said[0].has("neg"):  # two sentences
         raise NoMeaningError(str(alist))
     said += (AList("clause", part.parts) for part in alist.all("it_is_so"))
-    found = []
-    for one in said:
-        both = one.find("both_of", "several_np")
-        at = 0 if both is None else one.parts.index(both)
-        found += (
-            [one]
-            if both is None
-            else [
-                AList("clause", (*one.parts[:at], np, *one.parts[at + 1 :]))
-                for np in both.all("np")
-            ]
-        )
-    return found
+    return [each for one in said for each in _of_each(one)]
+
+
+def _of_each(said: AList) -> list[AList]:
+    """The same clause with each of several things: "Ann and Bob are tall"."""
+    if (both := said.find("both_of", "several_np")) is None:
+        return [said]
+    at = said.parts.index(both)
+    return [AList("clause", (*said.parts[:at], np, *said.parts[at + 1 :])) for np in both.all("np")]
 
 
 def _but(build: Build, main: str, denied: AList) -> str:
     """ "It is not red but blue": what is said of the same thing after "but"."""
     links = build.sketch.terms[main].links
-    thing = next(other for role, other in links if role in ("hq", "loc", "own", "ako"))
+    thing = next(other for role, other in links if role in SAYING)
     return clause(build, AList("clause", denied.parts[-1:]), thing)
 
 
@@ -168,12 +165,6 @@ def _check_subject(said: AList) -> None:
     """Refuse subjects of generic sentences and of small talk: "a girl", "girls", "I"; and what was said at length."""
     if len(said.slot("quote").split()) > LONGEST_QUOTE:
         raise NoMeaningError("gossip")
-    if (
-        said.has("quote")
-        and said.find("np", "base_np") is not None
-        and said.first("np", "base_np").has("pron")
-    ):
-        raise NoMeaningError("gossip")  # "he said stop and I stopped"
     pred = said.find("pred")
     if pred is not None and pred.has("isname"):
         raise NoMeaningError("a name; read as such")
@@ -183,6 +174,8 @@ def _check_subject(said: AList) -> None:
     subject = said.find("np", "base_np")
     if subject is None:
         return
+    if said.has("quote") and subject.has("pron"):  # "he said stop and I stopped"
+        raise NoMeaningError("gossip")
     if subject.slot("vague") in EVERY and pred is not None and _is_judged(pred):
         raise NoMeaningError("everything is fine")
     if subject.slot("vague") == "everything" and (subject.has("rel") or said.has("does")):

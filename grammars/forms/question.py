@@ -13,6 +13,7 @@ from grammars.clauses import clause
 from grammars.mentions import compounded
 from grammars.occasions import either_so, occasional, on_occasion
 from grammars.registry import sentence_form
+from grammars.sorts import kind
 from grammars.topics import may_be_about, of_topic
 from grammars.wanted import (
     ASKS,
@@ -164,8 +165,8 @@ def _whose(build: Build, body: AList) -> Question:
     thing = build.thing(things[-1] if things else (inner or body).first("np"))
     for qual in body.all("qual"):
         build.quality(thing, qual)
-    if kind := body.slot("ako") or body.slot("akos"):
-        build.kind(thing, kind, compounded(body))
+    if called := kind(body):
+        build.kind(thing, called, compounded(body))
     return Question("who", build.graphlet(build.add("own", own=thing, of=wanted)), wanted)
 
 

@@ -6,8 +6,8 @@ from collections.abc import Callable
 from typing import Final, Literal
 
 from grammars.chains import TIMES
-from grammars.morphology import gerund, past, plural, third_person
-from grammars.render.qualities import degree
+from grammars.morphology import gerund, past, third_person
+from grammars.render.qualities import degree, measured
 from grammars.render.telling import Telling, linked, word
 from grammars.render.things import literally, place, thing
 from kernel.memory.editing import OTHER_WAY
@@ -138,4 +138,4 @@ def _amount(telling: Telling, term: Term, verb: str) -> str:
     if not unit:  # "strikes 12"
         return number
     lasting = unit in TIMES and verb not in _WAITING
-    return f"{'for ' if lasting else ''}{bound}{number} {unit if number == '1' else plural(unit)}"
+    return f"{'for ' if lasting else ''}{bound}{measured(number, unit)}"

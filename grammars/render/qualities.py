@@ -14,7 +14,16 @@ _DEGREES: Final = {"little": "a little", "fully": "all the way"}
 
 def degree(telling: Telling, name: str) -> str:
     """What modifies a quality, direction or manner: "very ", or nothing."""
-    return "".join(_DEGREES.get(word(d), word(d)) + " " for d in telling.take(name, "deg"))
+    return "".join(map(_degree, telling.take(name, "deg")))
+
+
+def _degree(term: Term) -> str:
+    return _DEGREES.get(word(term), word(term)) + " "
+
+
+def measured(number: str, unit: str) -> str:
+    """ "1 inch", "10 inches"."""
+    return f"{number} {unit if number == '1' else plural(unit)}"
 
 
 def quality(telling: Telling, term: Term) -> str:
@@ -22,19 +31,11 @@ def quality(telling: Telling, term: Term) -> str:
     degrees = telling.take(term.name, "deg")
     if any(word(d) == "most" for d in degrees):
         return superlative(word(term))
-    if any(word(d) == "more" for d in degrees):
-        return comparative(word(term)) + "".join(map(_measure, telling.take(term.name, "amt")))
-    amounts = telling.take(term.name, "amt")
-    measures = [f"{a.literal} {word(a) if a.literal == '1' else plural(word(a))} " for a in amounts]
-    more = [_DEGREES.get(word(d), word(d)) + " " for d in degrees]
-    said = "".join((*measures, *more)) + word(term)
+    amounts = [measured(amt.literal or "1", word(amt)) for amt in telling.take(term.name, "amt")]
+    if any(word(d) == "more" for d in degrees):  # "closer than 10 inches"
+        return comparative(word(term)) + "".join(f" than {amount}" for amount in amounts)
+    said = " ".join((*amounts, "".join(map(_degree, degrees)) + word(term)))
     return f"made of {said}" if is_material(term) else said
-
-
-def _measure(amount: Term) -> str:
-    """ "Closer than 10 inches"."""
-    number, unit = amount.literal or "1", word(amount)
-    return f" than {number} {unit if number == '1' else plural(unit)}"
 
 
 def is_material(term: Term) -> bool:

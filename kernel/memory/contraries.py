@@ -31,8 +31,9 @@ EXCLUSIVE: Final = tuple(
     )
 )
 
+PAIRS: Final = tuple(group for group in EXCLUSIVE if len(group) == 2)
 # Words that are each other's opposite, for whoever asks; where they are qualities a thing may still have both in turn.
-OPPOSITE: Final = tuple(group for group in EXCLUSIVE if len(group) == 2) + tuple(
+OPPOSITE: Final = PAIRS + tuple(
     frozenset(pair.split())
     for pair in (
         "left right",
