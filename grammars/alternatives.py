@@ -11,6 +11,7 @@ from dataclasses import replace
 from typing import Final
 
 from grammars.alist import AList
+from grammars.denying import DENIALS, otherwise
 from grammars.errors import NoMeaningError
 from grammars.sorts import is_nothing
 from kernel.memory.lesson import LessonKind, Operator, Rule, graphlets
@@ -30,7 +31,10 @@ REPLACES: Final = {
     "or_rest": (SUBJECT,),
 }
 ALSO: Final = "and_rest"  # what else the subject does: "if something is close and moves"
-MARKS: Final = frozenset((WHOLE, ALSO, *REPLACES))
+OTHERWISE: Final = (
+    "otherwise"  # a second lesson, of what is to be done where the condition is not so
+)
+MARKS: Final = frozenset((WHOLE, ALSO, OTHERWISE, *REPLACES))
 # What a lesson is to do or to conclude is one thing; there only what is waited for may be this or that.
 ONE: Final = frozenset(("chain", "play", "conclusion", "whether"))
 CHOSEN: Final = frozenset(("chain", "play"))
@@ -38,7 +42,6 @@ LEARNED: Final = ("procedure", "finding")  # of several ways one is chosen
 WATCHED: Final = frozenset(("until", "waiting"))
 APART: Final = 1000
 MOST: Final = 8  # lessons in one sentence
-DENIALS: Final = ("neg", "not_has", "neg_own")
 
 
 def is_single(said: AList) -> bool:
@@ -105,6 +108,9 @@ def _is_denied(clause: AList) -> bool:
 
 def _bodies(said: AList) -> Iterator[tuple[AList, ...]]:
     """Its parts, for each alternative that stands directly in it."""
+    if (contrary := said.find(OTHERWISE)) is not None:
+        yield from otherwise(said, contrary)
+        return
     rest = tuple(part for part in said if part.name != WHOLE)
     for body in (rest, *(part.parts for part in said.all(WHOLE))):
         yield from _replaced(body)

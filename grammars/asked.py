@@ -13,7 +13,7 @@ from grammars.alist import AList
 from grammars.alternatives import one_each
 from grammars.build import Build, NoMeaningError, particles
 from grammars.clauses import clause
-from grammars.comparing import regarding
+from grammars.comparing import regarding, seen_from_robot
 from grammars.mentions import PLACES
 from grammars.render.telling import SAYING
 from grammars.topics import DEEDS, does_so
@@ -72,6 +72,7 @@ def drawn(build: Build, asks: AList, agent: str = "") -> Said:
     """
     if (several := asks.find(*SEVERAL)) is not None:
         return _of_each(build, asks, several, agent)
+    asks = seen_from_robot(asks)
     denied = asks.has("neg") or asks.has("negq")
     subject = asks.find("np")
     if (exist := asks.find("exist")) is not None:

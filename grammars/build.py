@@ -9,8 +9,6 @@ from grammars.alist import AList
 from grammars.chains import (
     TURNING,
     bare_chain,
-    count,
-    in_a_while,
     is_odd,
     one_by_one,
     particles,
@@ -18,12 +16,10 @@ from grammars.chains import (
     that_too,
     turned,
     turns,
-    waited,
-    whole,
 )
 from grammars.clauses import flat, names, put_nowhere, stated
 from grammars.errors import NoMeaningError
-from grammars.manners import SIZES, bounded, manner, not_too, resulting
+from grammars.manners import SIZES, bounded, manner, not_too, resulting, unit_of
 from grammars.mentions import (
     OWNING,
     SELF_OWN,
@@ -35,6 +31,7 @@ from grammars.mentions import (
     place_word,
     somebody,
 )
+from grammars.pacing import count, in_a_while, spaced, waited, whole
 from grammars.sorts import is_attribute, kind
 from grammars.things import Things
 from grammars.usage import is_used
@@ -146,9 +143,7 @@ class Build(Things):
                 number = part.slot("num", "1")
                 if part.has("more_half"):
                     number = f"{float(number) + 0.5:g}"
-                amt = self.add(
-                    "amt", part.slot("unit") or part.value or "", literal=number, amt=act
-                )
+                amt = self.add("amt", unit_of(part), literal=number, amt=act)
                 bounded(self, amt, part)
             elif part.name == "cnt":
                 self.add("cnt", literal=count(part), cnt=act)
@@ -279,6 +274,8 @@ class Build(Things):
         for part in chain:
             if (several := part.find("several")) is not None:
                 made += self.chain(one_by_one(several)).plays
+            elif (again := part.find("spaced")) is not None:
+                made += self.chain(spaced(again)).plays
             elif (delayed := in_a_while(part)) is not None:
                 made += self.chain(waited(delayed)).plays
             elif part.name == "play":

@@ -11,7 +11,7 @@ from grammars.alternatives import alternatives, one_each
 from grammars.clauses import clause, condition, names
 from grammars.errors import NoMeaningError
 from grammars.mentions import somebody
-from grammars.sorts import usages
+from grammars.pacing import HOLDING, TIMES, count, paced, whole
 from grammars.usage import TURNERS, is_odd_end
 from grammars.vocabulary import BORN, lines
 from kernel.action.chain import Chain, Directive, Loop, Part, Play
@@ -24,8 +24,6 @@ if TYPE_CHECKING:
 P = TypeVar("P", Directive, Loop)
 TURNS: Final = frozenset(("left", "right", "clockwise", "counterclockwise", "around"))
 TURNING: Final = TURNERS | {"roll"}
-TIMES: Final = frozenset(("second", "minute", "hour"))
-HOLDING: Final = frozenset("hold carry have see hear".split())
 FRACTIONS: Final = {"quarter": 0.25, "half": 0.5}
 LIFTS: Final = {"up": "raise", "down": "lower"}
 
@@ -64,7 +62,9 @@ def plays(build: Build, play: AList) -> list[Play]:
                 with build.drawing(pattern=False):
                     required.append(Directive("DO", build.graphlet(build.action(part))))
             case "acting_too":
-                if (doing := part.first("acting")).slot("act") in HOLDING:  # so long as it holds it
+                if (doing := part.first("acting", "action")).slot(
+                    "act"
+                ) in HOLDING:  # so long as it holds it
                     raise NoMeaningError(str(part))
                 with build.drawing(pattern=False):
                     required.append(Directive("DO", build.graphlet(build.action(doing))))
@@ -77,7 +77,7 @@ def plays(build: Build, play: AList) -> list[Play]:
             case "over_all" if len(part.first("chain").parts) < 2:
                 raise NoMeaningError(str(part))
             case "loop" | "over_all":
-                required.append(_loop(build, part))
+                required.append(_loop(build, paced(part)))
             case "kept" if _is_odd_keeping(part.first("keeping")):
                 raise NoMeaningError(str(part))
             case "kept":
@@ -177,29 +177,9 @@ def _or_until(part: P, others: list[Graphlet]) -> P | Loop:
     return made
 
 
-def whole(number: str) -> int:
-    """The number of things or times, of which there are no halves."""
-    if not number.isdecimal():
-        raise NoMeaningError(number)
-    return int(number)
-
-
 def one_by_one(several: AList) -> AList:
     """ "Grab the box and the ball": the same done to each, one after another."""
     return AList("chain", tuple(AList("play", (act,)) for act in one_each(several)))
-
-
-def waited(delayed: AList) -> AList:
-    """ "In ten seconds turn left": wait as long, then do it."""
-    action = delayed.find("action") or delayed
-    amt = (delayed if action is not delayed else action).first("in_a_while").first("amt")
-    if amt.slot("unit") not in TIMES:
-        raise NoMeaningError(str(delayed))
-    wait = AList("action", (AList("act", value="wait"), amt))
-    if "sensing" in usages(action.slot("act")):
-        raise NoMeaningError(str(delayed))  # "see a thread in an hour"
-    now = AList("action", tuple(part for part in action if part.name != "in_a_while"))
-    return AList("chain", tuple(AList("play", (a,)) for a in (wait, now)))
 
 
 def that_too(chain: AList, elliptic: AList) -> AList:
@@ -237,26 +217,10 @@ def turns(turns: AList) -> float:
     return float(number) if number else FRACTIONS.get(turns.value or "", 1.0)
 
 
-def in_a_while(play: AList) -> AList | None:
-    """What is to be done in a while, where the play is that alone."""
-    action = play.find("delayed", "action")
-    return (
-        action if action is not None and len(play.parts) == 1 and action.has("in_a_while") else None
-    )
-
-
 def _sought(play: Play) -> Graphlet | None:
     """What a play that is nothing but a look-up looks for."""
     part = play.required[0]
     return part.graphlet if isinstance(part, Directive) and part.tag == "FIND" else None
-
-
-def count(cnt: AList) -> str:
-    """How many times, in digits."""
-    for name, times in (("twice", "2"), ("thrice", "3")):
-        if cnt.has(name) or cnt.value == name:
-            return times
-    return cnt.slot("num", "1")
 
 
 def bare_chain(bare: AList) -> AList:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Final
 
 from grammars.alist import AList
+from grammars.comparing import seen_from_robot
 from grammars.errors import NoMeaningError
 from grammars.hedges import preference
 from grammars.mentions import VERB_SLOTS
@@ -63,6 +64,7 @@ def clause(build: Build, part: AList, subject: str = "", topical: bool = False) 
         topical: its subject is what the sentence is about.
     """
     build.negative = False
+    part = seen_from_robot(part)
     negated = any(part.has(denial) for denial in ("neg", "not_has", "neg_own"))
     if (exists := part.find("exists")) is not None:
         return _exists(build, exists)
@@ -134,7 +136,7 @@ def _subject(build: Build, np: AList, part: AList) -> str:
     kindof = None if pred is None else pred.find("kindof")
     if kindof is not None and not is_kind_of_it(np, kindof):
         raise NoMeaningError(str(part))
-    if np.slot("pron") == "it" and build.pattern and tells_time(pred):
+    if np.slot("pron") == "it" and build.pattern and tells_time(pred or part):
         return build.add("obj", ref="it")
     if names(part) and not may_be_called(np):
         raise NoMeaningError(str(part))

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Final
 from grammars.alist import AList
 from grammars.errors import NoMeaningError
 from grammars.mentions import degree
+from grammars.pacing import TIMES
 from grammars.vocabulary import BORN
 
 if TYPE_CHECKING:
@@ -50,6 +51,16 @@ def bounded(build: Things, amt: str, said: AList) -> None:
         raise NoMeaningError(str(said))
     elif bound:
         build.add("deg", bound, deg=amt)
+
+
+def unit_of(amt: AList) -> str:
+    """Inch; "inch per second"."""
+    unit = amt.slot("unit") or amt.value or ""
+    if (per := amt.find("per")) is None:
+        return unit
+    if unit in TIMES or per.slot("unit") not in TIMES:
+        raise NoMeaningError(str(amt))
+    return f"{unit} per {per.slot('unit')}"
 
 
 def not_too(build: Things, act: str, said: AList) -> None:

@@ -19,7 +19,9 @@ from grammars.source import set_categories
 
 Derive = Callable[[Sequence[Token], str], Any]
 
-NEVER_SAID: Final = frozenset(("whenever", "unless"))  # words that a quote hardly ever holds
+NEVER_SAID: Final = frozenset(
+    ("whenever", "unless", "otherwise")
+)  # words that a quote hardly ever holds
 CONDITIONALS: Final = frozenset("if when whenever unless until while".split())
 OCCASIONS: Final = CONDITIONALS | {"after", "before", "once"}
 # How a clause about somebody else begins.

@@ -16,6 +16,13 @@ SHORTEST_ABSTRACT: Final = 7  # letters; a city is none
 SEVERAL: Final = ("these", "those")
 ONE: Final = ("a", "an", "another", "this", "that")
 NOBODY: Final = frozenset(("nothing", "nobody", "no one"))
+EITHER: Final = (
+    "any of",
+    "any one of",
+    "either of",
+    "either one of",
+)  # which one it is, nobody says
+NONE: Final = ("no", "none of", "neither of")
 DETERMINED: Final = ("det", "own", "owner", "pron", "pronoun", "vague", "name")
 
 
@@ -72,8 +79,8 @@ def is_bare(np: AList) -> bool:
 
 
 def is_nothing(np: AList) -> bool:
-    """ "Nothing", "no block"."""
-    return np.slot("vague") in NOBODY or np.slot("det") == "no"
+    """ "Nothing", "no block", "neither of the blocks"."""
+    return np.slot("vague") in NOBODY or np.slot("det") in NONE
 
 
 def agrees(np: AList) -> bool:

@@ -34,7 +34,7 @@ from grammars.mentions import (
     with_apposed,
 )
 from grammars.relatives import kind_of, relative
-from grammars.sorts import agrees, is_nothing, kind
+from grammars.sorts import EITHER, agrees, is_nothing, kind
 from grammars.vocabulary import BORN
 from kernel.memory.recall import PERSONS
 from kernel.net.graphlet import Graphlet, Sketch, Term
@@ -169,7 +169,7 @@ class Things:
         self.things.append(thing)
 
     def _described(self, np: AList, det: str, kind: str, person: bool) -> str:
-        if not agrees(np):
+        if not agrees(np) or (self.telling and det in EITHER):
             raise NoMeaningError(str(np))
         vague, called = np.slot("vague"), np.slot("name")
         if is_nothing(np):

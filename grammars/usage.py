@@ -39,7 +39,9 @@ OPPOSITE: Final = (
 PATHS: Final = frozenset("up down in out over around through along".split())
 BACKING: Final = ("back", "reverse")
 # Said alone they move nothing: "in", "here".
-NO_WAY: Final = frozenset("in on off out over here there inside outside indoors outdoors".split())
+NO_WAY: Final = frozenset(
+    "in on off out over away here there inside outside indoors outdoors".split()
+)
 PARTICLES: Final = frozenset("in out on off up down over".split())
 SWITCHING: Final = frozenset(("on", "off"))
 # Qualities that stand behind a thing only, unless it has an article ("press the on button").
@@ -51,7 +53,7 @@ SINGLE: Final = ("hand", "arm", "claw")  # of which the robot has one
 MOST_QUALITIES: Final = 2  # of a thing without an article
 ONCE: Final = ("cnt", "size", "amt")  # an action has one of each
 TIMES_OF_DAY: Final = frozenset(
-    "noon midnight night morning evening afternoon dawn dusk summer winter autumn".split()
+    "noon midnight night morning evening afternoon dawn dusk sunset nightfall summer winter autumn".split()
 )
 # "It is late": of nothing in particular.
 AMBIENT: Final = frozenset("late early dark sunny cloudy windy foggy".split())

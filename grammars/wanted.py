@@ -11,8 +11,8 @@ from typing import Final
 from grammars.alist import AList
 from grammars.asked import BLANK, DESCRIBING, YOU, Said, by_robot, drawn, fill, of_clause
 from grammars.build import Build, NoMeaningError
-from grammars.chains import TIMES
 from grammars.mentions import EVERY, PLACES, compounded
+from grammars.pacing import TIMES
 from grammars.sorts import kind
 from grammars.topics import DEEDS
 from kernel.memory.meaning import Ask, Question

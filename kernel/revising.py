@@ -76,6 +76,9 @@ def _edited(commons: Commons, revision: Revision) -> tuple[Lesson, Operator] | N
     commanded = recent.thing in ("command", "motion")
     if revision.of is not None:
         for lesson, operator in _named(commons, revision.of):
+            if old is None and alteration(revision.chain) is not None:
+                other = altered(operator.chain, revision.chain, whole=True)
+                return None if other is None else (lesson, replace(operator, chain=other))
             if old is None:
                 return lesson, with_more(operator, revision.chain, last=revision.last)
             changed = with_other_step(operator, old, revision.chain, revision.beside)

@@ -6,6 +6,7 @@ from grammars.alist import AList
 from grammars.build import Build, NoMeaningError
 from grammars.clauses import condition, exception
 from grammars.hedges import preference
+from grammars.pacing import HOLDING
 from grammars.registry import sentence_form
 from grammars.render.clauses import conditions
 from grammars.render.telling import Telling
@@ -26,6 +27,7 @@ EXAMPLES = (
     "if you fail to grab something say oops",
     "When you can't do something, say sorry.",
     "whenever you see a spider, let me know",
+    "if something is close stop, otherwise drive forward",
 )
 
 
@@ -38,7 +40,10 @@ def reaction(alist: AList) -> Teach:
     if alist.parts[0].name == "chain" and _asks_nothing(alist.parts[0]):
         raise NoMeaningError("what follows is the question")
     trigger = condition(build, conds[0] if len(conds) == 1 else AList("conds", tuple(conds)))
-    chain = build.chain(alist.find("chain") or _so_told(trigger))
+    said = alist.find("chain")
+    if said is not None and _is_way(build, trigger, said):
+        raise NoMeaningError("a way of doing it")
+    chain = build.chain(said or _so_told(trigger))
     return Teach(
         "reaction",
         Operator(
@@ -48,6 +53,17 @@ def reaction(alist: AList) -> Teach:
             preference=preference(alist.slot("pref")),
         ),
     )
+
+
+def _is_way(build: Build, trigger: Graphlet, chain: AList) -> bool:
+    """ "Go slower", when the robot does something: that is how it is to do it (revision)."""
+    actions = [part for part in chain.walk() if part.name == "action"]
+    head = trigger.head
+    if len(actions) != 1 or head is None or not head.lex.isdisjoint(HOLDING):
+        return False
+    going = actions[0].slot("act") == "go" and [part.name for part in actions[0]][1:] == ["manner"]
+    agent = dict(head.links).get("agt", "")
+    return going and bool(agent) and "you" in build.sketch.terms[agent].lex
 
 
 def _asks_nothing(chain: AList) -> bool:

@@ -6,6 +6,7 @@ from typing import Final
 
 from grammars.alist import AList
 from grammars.build import Build, NoMeaningError
+from grammars.pacing import HOLDING
 from grammars.registry import sentence_form
 from grammars.sorts import is_abstract, is_bare
 from grammars.verdicts import is_praise
@@ -27,6 +28,7 @@ EXAMPLES = (
     "turn right instead of turning left",
     "you should have turned right",
     "make it slower",
+    "when you cha-cha do it slowly",
     "faster",
     "no, the other way",
     "do that again but with the gripper closed",
@@ -67,7 +69,9 @@ def revision(alist: AList) -> Revision:
     if altered is not None:
         if (was := alist.find("was")) is not None and was.find("qual", "owner") is not None:
             raise NoMeaningError("another sort of part")
-        return Revision(_altered(build, altered), later=alist.has("later"))
+        if of is not None and (of.head is None or not of.head.lex.isdisjoint(HOLDING)):
+            raise NoMeaningError("no deed")
+        return Revision(_altered(build, altered), of=of, later=alist.has("later"))
     replaced = _replaced(build, alist if beside is None else beside)
     chain = _new_steps(alist)
     if chain is not None:

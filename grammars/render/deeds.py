@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Final, Literal
 
-from grammars.chains import TIMES
 from grammars.morphology import gerund, past, third_person
+from grammars.pacing import TIMES
 from grammars.render.qualities import degree, measured
 from grammars.render.telling import Telling, linked, word
 from grammars.render.things import literally, place, thing
@@ -138,4 +138,5 @@ def _amount(telling: Telling, term: Term, verb: str) -> str:
     if not unit:  # "strikes 12"
         return number
     lasting = unit in TIMES and verb not in _WAITING
-    return f"{'for ' if lasting else ''}{bound}{measured(number, unit)}"
+    lead = "for " if lasting else "at " if " " in unit and not bound else ""
+    return f"{lead}{bound}{measured(number, unit)}"

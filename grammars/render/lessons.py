@@ -41,10 +41,25 @@ def taught(contents: tuple[Operator | Rule, ...], voice: Voice) -> str:
     ways = [isinstance(one, Operator) and one.trigger.tag in CHOOSING for one in contents]
     if differing == ["rest"] and all(ways):  # "to celebrate, turn around or sing"
         return str(first) + "".join(f" or {_without_lead(one.rest)}" for one in others)
+    if len(contents) == 2 and _is_contrary(*contents):
+        return f"{first}, otherwise {_without_lead(others[0].rest)}"
     if len(differing) > 1 or differing == ["rest"]:
         return ", and ".join(map(str, said))
     name = differing[0]
     return str(replace(first, **{name: either([getattr(one, name) for one in said])}))
+
+
+def _is_contrary(one: Operator | Rule, other: Operator | Rule) -> bool:
+    """The second is in force just where the first is not: what the one notes the other denies."""
+    if not (isinstance(one, Operator) and isinstance(other, Operator)):
+        return False
+    if one.trigger.tag != "NOTE" or other.trigger.tag != "NOTE":
+        return False
+    so, not_so = one.trigger.graphlet, other.trigger.graphlet
+    if so is None or not_so is None or so.head is None:
+        return False
+    turned = replace(so.head, negated=not so.head.negated)
+    return {turned if term is so.head else term for term in so} == set(not_so)
 
 
 def _without_lead(rest: str) -> str:

@@ -23,7 +23,8 @@ def _degree(term: Term) -> str:
 
 def measured(number: str, unit: str) -> str:
     """ "1 inch", "10 inches"."""
-    return f"{number} {unit if number == '1' else plural(unit)}"
+    one, _, per = unit.partition(" ")  # "inch per second"
+    return " ".join(filter(None, (number, one if number == "1" else plural(one), per)))
 
 
 def quality(telling: Telling, term: Term) -> str:

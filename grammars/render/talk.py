@@ -75,6 +75,9 @@ def revision(meaning: Revision, voice: Voice) -> str:
         bare = next((t.literal for t in change if t.kind == "amt" and not t.lex), None)
         how = bare or deed(telling, change.main).removeprefix("do something ")
         how = how.replace(OTHER_WAY, "the other way")
+        if meaning.of is not None:
+            doing = deed(telling, meaning.of.main)
+            return f"when {pronoun(telling, 'you', 'subject')} {doing}, do it {how}"
         return f"do it {how} next time" if meaning.later else f"make it {how}"
     if meaning.of is None and found and all(d.tag == "FIND" for d in meaning.chain.directives()):
         return f"I meant {thing(telling, found[-1].main)}"

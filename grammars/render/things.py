@@ -12,8 +12,9 @@ from grammars.morphology import (
     plural,
     third_person,
 )
-from grammars.render.qualities import is_material, quality
+from grammars.render.qualities import is_material, measured, quality
 from grammars.render.telling import Telling, linked, word
+from grammars.sorts import classes
 from grammars.vocabulary import BORN
 from kernel.memory.recall import PERSONS
 from kernel.net.graphlet import Term
@@ -33,10 +34,6 @@ PRONOUNS: Final = {
     "this": ("this", "this", "its"),
 }
 _DETERMINERS: Final = ("the", "this", "that", "every", "any", "all", "each")
-# Nouns that take no article.
-_MASSES: Final = frozenset(
-    ("music", "water", "milk", "coffee", "tea", "juice", "food", "trash", "smoke", "fire")
-)
 # What one is doing still, and what one does all the time, where that tells which thing is meant.
 _VAGUE: Final = {"somebody": "somebody", "every": "everything"}
 _BE: Final = {"I": "am", "you": "are"}
@@ -103,8 +100,9 @@ def kind(telling: Telling, term: Term) -> str:
 def place(telling: Telling, term: Term) -> str:
     """Where: next to the wall; between two things; on the left."""
     landmarks = [thing(telling, other) for role, other in term.links if role == "wrt"]
+    far = [measured(amt.literal or "1", word(amt)) for amt in telling.take(term.name, "amt")]
     if landmarks:
-        return f"{word(term)} {' and '.join(landmarks)}"
+        return " ".join((*far, word(term), " and ".join(landmarks)))
     return word(term) if " " in word(term) else f"on the {word(term)}"
 
 
@@ -254,7 +252,7 @@ def _first(telling: Telling, term: Term) -> str:
         return f"{whose} {phrase}"
     if ref == "one":
         return f"the {phrase}"
-    if not ref and (numbers or noun in _MASSES):
+    if not ref and (numbers or noun in classes()["mass"]):
         return phrase
     return f"{ref if ref in _DETERMINERS else article(phrase)} {phrase}"
 

@@ -71,14 +71,29 @@ def alteration(new: Chain) -> Graphlet | None:
     return steps[0] if head is not None and not head.lex and not head.links else None
 
 
-def altered(chain: Chain, new: Chain) -> Chain | None:
-    """The chain with the modifiers of that step of no verb in its last step, in the place of its own of the same sort;
-    None if none fits. What they need is looked up first."""
-    steps, new = chain.tagged("DO"), _fresh(new, chain.graphlets())
-    change = alteration(new)
-    if not steps or not steps[-1].head or change is None:
+def altered(chain: Chain, new: Chain, *, whole: bool = False) -> Chain | None:
+    """The chain with the modifiers of that step of no verb in its last step, or in all of its steps, in the place of
+    their own of the same sort; None if none fits. What they need is looked up first."""
+    before: tuple[Play, ...] = ()
+    steps = chain.tagged("DO")
+    for step in steps if whole else steps[-1:]:
+        fresh = _fresh(new, chain.graphlets())
+        change = alteration(fresh)
+        other = None if change is None else _altered_step(step, change)
+        if other is None:
+            return None
+        before = tuple(Play((d,)) for d in fresh.directives() if d.tag == "FIND")
+        chain = _mapped(chain, _exchanged(step, other))
+    return Chain((*before, *chain.plays)) if steps else None
+
+
+def _exchanged(old: Graphlet, new: Graphlet) -> Callable[[Directive], tuple[Part, ...] | None]:
+    return lambda directive: (Directive("DO", new),) if directive.graphlet is old else None
+
+
+def _altered_step(last: Graphlet, change: Graphlet) -> Graphlet | None:
+    if last.head is None:
         return None
-    last = steps[-1]
     change = change.renamed({change.main: last.main})
     roles = {role for t in change for role, other in t.links if other == last.main}
     had = {t.name: t for t in last if any(r in roles and to == last.main for r, to in t.links)}
@@ -87,9 +102,7 @@ def altered(chain: Chain, new: Chain) -> Chain | None:
         return None
     gone = {t.name for t in last if t.name in had or any(to in had for _, to in t.links)}
     kept = [t for t in last if t.name not in gone]
-    whole = Graphlet((*kept, *(t for t in terms if t is not None)), last.main)
-    other = _mapped(chain, lambda d: (Directive("DO", whole),) if d.graphlet is last else None)
-    return Chain((*(Play((d,)) for d in new.directives() if d.tag == "FIND"), *other.plays))
+    return Graphlet((*kept, *(t for t in terms if t is not None)), last.main)
 
 
 def _like(new: Term, had: Iterable[Term]) -> Term | None:
