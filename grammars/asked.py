@@ -15,6 +15,7 @@ from grammars.build import Build, NoMeaningError, particles
 from grammars.clauses import clause
 from grammars.comparing import regarding, seen_from_robot
 from grammars.mentions import PLACES
+from grammars.mutual import each_other
 from grammars.render.telling import SAYING
 from grammars.topics import DEEDS, does_so
 from grammars.vocabulary import BORN
@@ -113,6 +114,8 @@ def drawn(build: Build, asks: AList, agent: str = "") -> Said:
 
 def _both(build: Build, asks: AList, subjects: list[AList]) -> Said:
     """ "Did Tim and Oscar come in": the same of each."""
+    if told := each_other(asks, subjects):
+        return drawn(build, told[0])
     rest = tuple(part for part in asks if part.name != "both_of")
     so = drawn(build, AList(asks.name, (subjects[0], *rest)))
     links = build.sketch.terms[so.main].links

@@ -7,22 +7,20 @@ from typing import TYPE_CHECKING, Final
 from grammars.alist import AList
 from grammars.comparing import seen_from_robot
 from grammars.errors import NoMeaningError
-from grammars.hedges import preference
 from grammars.mentions import VERB_SLOTS
 from grammars.sorts import is_abstract, is_kind_of_it, kind, may_be_called, usages
-from grammars.timing import by_time, it_is, tells_time, timed
+from grammars.timing import it_is, tells_time, timed
 from grammars.usage import WAYS
 from grammars.vocabulary import BORN
-from kernel.action.chain import Directive
 from kernel.memory.contraries import PAIRS
-from kernel.memory.lesson import Operator
-from kernel.net.graphlet import Graphlet, Term
+from kernel.net.graphlet import Graphlet
 
 if TYPE_CHECKING:
     from grammars.build import Build
 
 TOOLS: Final = ("drill", "ropes", "score")
 SENSED: Final = ("see", "hear", "feel", "smell")
+PAST: Final = "past"
 PUTTING: Final = ("put", "place", "lay", "set", "stack", "put down", "set down", "lay down")
 
 
@@ -123,10 +121,12 @@ def clause(build: Build, part: AList, subject: str = "", topical: bool = False) 
     if (counted := part.find("counted")) is not None:
         many = build.thing(AList("np", counted.parts[1:]))
         build.add("cnt", literal=counted.slot("num"), cnt=many)
-        return build.add("act", part.slot("does", "have"), agt=agent, obj=many, negated=negated)
+        does = build.add("act", part.slot("does", "have"), agt=agent, obj=many, negated=negated)
+        return in_the_past(build, does) if part.has("had") and build.telling else does
     if objects and not (build.telling and is_abstract(objects[0])):
         owned = build.thing(objects[0])
-        return build.add("act", "have", agt=agent, obj=owned, negated=negated or build.negative)
+        has = build.add("act", "have", agt=agent, obj=owned, negated=negated or build.negative)
+        return in_the_past(build, has) if part.has("had") and build.telling else has
     raise NoMeaningError(str(part))
 
 
@@ -224,6 +224,12 @@ def _doing(build: Build, part: AList, agent: str, objects: list[AList], negated:
     return act
 
 
+def in_the_past(build: Build, act: str) -> str:
+    """Say of a deed that it was done, and is no habit; the node of the deed."""
+    build.add("mod", PAST, mod=act)
+    return act
+
+
 def _is_knowable(np: AList) -> bool:
     """People, animals and the like may be known, and what is no thing at all: nobody "knows the drill"."""
     tool = kind(np) in TOOLS and np.slot("det") == "the"
@@ -248,43 +254,6 @@ def exception(build: Build, alist: AList) -> tuple[Graphlet, ...]:
 def enablement(build: Build, alist: AList) -> tuple[Graphlet, ...]:
     """What stands after "if" or "while" where an action is the trigger."""
     return tuple(condition(build, conds) for conds in alist.all("conds"))
-
-
-def settled(
-    build: Build, trigger: Graphlet, conditions: tuple[Graphlet, ...]
-) -> tuple[Graphlet, tuple[Graphlet, ...]]:
-    """What describes the trigger's own things is the trigger's, whichever was said first: "if the cat is hurt you may
-    lift it" is "you may lift the cat if it is hurt"."""
-    mine, left = list(trigger), [list(graphlet) for graphlet in conditions]
-    for terms in left:
-        while found := [term for term in terms if _describes(build, term, mine)]:
-            mine += found
-            terms[:] = [term for term in terms if term not in found]
-    kept = tuple(Graphlet(tuple(t), g.main) for t, g in zip(left, conditions, strict=True))
-    return Graphlet(tuple(mine), trigger.main), kept
-
-
-def _describes(build: Build, term: Term, mine: list[Term]) -> bool:
-    """It is no claim of its own, and about something that these terms mention."""
-    mentioned = {t.name for t in mine} | {other for t in mine for _, other in t.links}
-    about = {term.name, *(other for _, other in term.links)}
-    return term.name not in build.claims and not about.isdisjoint(mentioned)
-
-
-def around(build: Build, alist: AList, tag: str) -> Operator:
-    """What is done before or after an act, when it is and when it is not."""
-    with build.drawing(pattern=True, trigger=True):
-        deed, times = by_time(build, alist.first("action", "gerunding", "did_it"))
-        trigger = build.graphlet(build.action(deed))
-    enabled = (*times, *enablement(build, alist))
-    chain = build.chain(alist.first("chain"))
-    return Operator(
-        Directive(tag, trigger),
-        chain,
-        enablement=enabled,
-        unless=exception(build, alist),
-        preference=preference(alist.slot("pref")),
-    )
 
 
 def told(build: Build, speaker: AList, act: str) -> str:

@@ -53,6 +53,8 @@ _FEMALE: Final = (
 _MALE: Final = frozenset("boy man father brother son uncle grandfather husband nephew".split())
 ANY_KIND: Final = frozenset(("thing", "object", "item", "stuff"))
 REFS: Final = {"the": "the", "this": "this", "that": "that", "these": "this", "those": "that"}
+GROUPING: Final = ("both", "all", "neither", "neither of", "none of")
+GROUPS: Final = {"these": "these", "those": "those"}  # all of those that are meant; else "they"
 VERB_SLOTS: Final = ("does", "gerund", "state", "states", "verb", "verbs")
 DEGREES: Final = {"all the way": "fully", "a little": "little", "a bit": "little"}
 PLACES: Final = {
@@ -139,6 +141,12 @@ def somebody(where: AList) -> AList:
 def is_definite(np: AList) -> bool:
     """The noun phrase is about something in particular."""
     return np.slot("det") in REFS or any(np.has(part) for part in ("name", "own", "owner"))
+
+
+def is_group(np: AList) -> bool:
+    """The noun phrase is about several in particular: "the cups", "my shoes", "both boxes", "neither cup"."""
+    several = np.has("akos") and not np.has("one")
+    return (several and is_definite(np)) or np.slot("det") in GROUPING
 
 
 def is_person(np: AList) -> bool:

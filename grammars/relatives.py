@@ -109,13 +109,17 @@ def _doing(build: Things, name: str, rel: AList) -> None:
 
 
 def kind_of(build: Things, name: str, kindof: AList, negated: bool) -> str:
-    """Say of what kind a thing is, with all that is said of the kind; the node of that."""
-    called = kind(kindof)
-    for qual in kindof.all("qual"):
-        build.quality(name, qual, negated and not called)
-    if not called:
+    """Say of what kind a thing is, with all that is said of the kind; the node of that.
+
+    What is "not a big dog" is a dog, and not big; our choice.
+    """
+    called, quals = kind(kindof), kindof.all("qual")
+    if not called or (negated and len(quals) > 1):
         raise NoMeaningError(str(kindof))
-    node = build.kind(name, called, compounded(kindof), negated)
+    described = bool(quals) and not build.pattern and not kindof.has("rel")
+    denied = [build.quality(name, qual, negated and described) for qual in quals]
+    node = build.kind(name, called, compounded(kindof), negated and not described)
+    node = denied[0] if negated and described else node
     for rel in kindof.all("rel"):
         relative(build, name, kindof, rel)
     if (belongs := kindof.find("belongs")) is not None:  # "a friend of Lucy's"

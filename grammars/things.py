@@ -19,6 +19,7 @@ from grammars.mentions import (
     ALIKE,
     ANY_KIND,
     EVERY,
+    GROUPS,
     OWNING,
     PERSON_WORDS,
     PERSONAL,
@@ -29,6 +30,7 @@ from grammars.mentions import (
     compounded,
     degree,
     is_definite,
+    is_group,
     is_person,
     place_word,
     with_apposed,
@@ -178,6 +180,7 @@ class Things:
         of_owner = any(rel.find("owner_of", "of_owner") is not None for rel in np.all("rel"))
         ref = "somebody" if anybody else "one" if np.has("one") else REFS.get(det, "")
         ref = "the" if np.has("numbered") and not det else ref
+        ref = GROUPS.get(det, "they") if self.telling and is_group(np) else ref
         ref = "every" if vague in EVERY else ref
         ref = "" if ref == "the" and of_owner else ref  # "the cup of Mary's brother" is his cup
         place = "PLACE" in BORN.readings(called)

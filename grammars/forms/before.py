@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from grammars.alist import AList
 from grammars.build import Build
-from grammars.clauses import around
 from grammars.registry import sentence_form
+from grammars.triggers import around
 from kernel.memory.meaning import Teach
 
 EXAMPLES = (

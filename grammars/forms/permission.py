@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from grammars.alist import AList
 from grammars.build import Build
-from grammars.clauses import enablement, exception, settled
+from grammars.clauses import enablement, exception
 from grammars.registry import sentence_form
 from grammars.timing import by_time
+from grammars.triggers import settled
 from kernel.action.chain import Chain, Directive
 from kernel.memory.lesson import Operator
 from kernel.memory.meaning import Teach

@@ -8,7 +8,7 @@ from typing import Final
 
 from grammars.earley import closed_words
 from grammars.mentions import WOMEN
-from grammars.morphology import article, comparative, gerund, past, third_person
+from grammars.morphology import article, comparative, gerund, past, plural, third_person
 from grammars.render.deeds import be, deed
 from grammars.render.qualities import degree, quality
 from grammars.render.telling import SAYING, Telling, is_predicate, linked, word
@@ -59,8 +59,18 @@ def conditions(telling: Telling, graphlet: Graphlet, hedge: str = "") -> str:
     elif main is not None:
         told.append(clause(telling, main, hedge, predicates))
     while left := [term for term in predicates if term.name not in telling.stated]:
-        told.append(clause(telling, max(left, key=_telling_first), "", predicates))
+        term = max(left, key=_telling_first)
+        told.append(clause(telling, _whose_kind(telling, term, left) or term, "", predicates))
     return " and ".join(map(str, told))
+
+
+def _whose_kind(telling: Telling, term: Term, left: list[Term]) -> Term | None:
+    """What says of what kind a known thing is, where whose it is is told as well: "Rosa is Kim's friend"."""
+    name = next((other for role, other in term.links if role in ("own", "hq")), "")
+    kinds = [of for of in left if ("ako", name) in of.links and not of.negated]
+    owned = any(("own", name) in of.links for of in left)
+    known = any(found.main == name for found in telling.described)
+    return kinds[0] if kinds and owned and known and not term.negated else None
 
 
 def clause(telling: Telling, term: Term, hedge: str, others: Iterable[Term] = ()) -> Clause:
@@ -83,11 +93,13 @@ def clause(telling: Telling, term: Term, hedge: str, others: Iterable[Term] = ()
         said = telling.about(name, *(("own", "hq", "loc") if role == "ako" else ("hq",)))
         later = [other for other in said if _is_told(telling, term, other)]
     telling.hold_back((*waiting, *later))
-    verb = "are" if name in telling.also else ""
+    verb = "are" if telling.several(name) else ""
     subject = _subject(telling, name, term.negated)
     telling.release(mine if denying else later)
-    rest = _COMPLEMENTS[role](telling, term)
-    telling.release(other for other in later if denying and other not in mine)
+    such = _kind_denied(telling, term, name) if denying or telling.term(name).lex else []
+    rest = _not_such(telling, term, *such) if such else _COMPLEMENTS[role](telling, term)
+    told = [*mine, *such]
+    telling.release(other for other in later if denying and other not in told)
     if role == "hq":  # "red and small"
         also = [other for other in telling.about(name, "hq") if _is_told(telling, term, other)]
         also = [] if term.negated else [other for other in also if not other.negated]
@@ -115,9 +127,9 @@ def _describes(graphlet: Graphlet, name: str) -> bool:
 
 def _doing(telling: Telling, term: Term, adverb: str) -> Clause:
     agent = linked(term, "agt")
-    third = agent not in telling.also
+    third = not telling.several(agent)
     subject = _subject(telling, agent, term.negated) if agent else "something"
-    if subject == "they":  # rules want the singular verb: "he likely speaks Portuguese"
+    if subject == "they" and third:  # rules want the singular verb: "he likely speaks Portuguese"
         subject = "she" if telling.term(agent).lex & WOMEN else "he"
     tense = [mod for mod in telling.about(term.name, "mod") if word(mod) == "past"]
     telling.hold_back(tense)
@@ -211,6 +223,28 @@ def naming(telling: Telling, term: Term, told: bool = False) -> Clause:
     return Clause(subject, be(subject), f"{be(subject)} {rest}", rest)
 
 
+def _kind_denied(telling: Telling, term: Term, name: str) -> list[Term]:
+    """What a thing is that is denied to be such a one, and whose, where only the quality is denied: no "big dog"."""
+    new = telling.new(term) if term.negated and linked(term, "hq") else []
+    kinds = [of for of in new if ("ako", name) in of.links and not of.negated]
+    return [*kinds, *(own for own in new if ("own", name) in own.links)] if len(kinds) == 1 else []
+
+
+def _not_such(telling: Telling, term: Term, of_kind: Term, *owns: Term) -> str:
+    """The quality denied together with the kind: "not a big dog"."""
+    telling.hold_back((of_kind, *owns))
+    whose = "".join(thing(telling, linked(own, "of"), "possessive") for own in owns)
+    noun = f"{quality(telling, term)} {kind(telling, of_kind)}"
+    return _such(telling, linked(term, "hq"), whose, noun)
+
+
+def _such(telling: Telling, name: str, whose: str, phrase: str, after: str = "") -> str:
+    """What a thing, or several, are: "a big dog", "my brother", "twins"."""
+    several = telling.several(name)
+    noun = plural(phrase) if several else phrase
+    return " ".join(filter(None, (whose or ("" if several else article(noun)), noun, after)))
+
+
 def _as_kind(telling: Telling, term: Term) -> str:
     name = linked(term, "ako")
     owners = [linked(own, "of") for own in telling.take(name, "own")]
@@ -218,8 +252,8 @@ def _as_kind(telling: Telling, term: Term) -> str:
     more = telling.take(name, "ako")
     before, _, after = description(telling, name, "")
     telling.release(more)
-    phrase = " ".join(filter(None, (before, kind(telling, term), after)))
-    return f"{whose or article(phrase)} {phrase}"
+    phrase = " ".join(filter(None, (before, kind(telling, term))))
+    return _such(telling, name, whose, phrase, after)
 
 
 def _as_quality(telling: Telling, term: Term) -> str:

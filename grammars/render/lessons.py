@@ -108,8 +108,10 @@ def fact(content: Graphlet, finds: tuple[Graphlet, ...], voice: Voice) -> str:
     subjects = [other for role, other in main.links if role in SAYING] if main else []
     if main and subjects and not _is_nobody(content) and _is_new(content, finds, subjects[0]):
         told = content.denied() if main.negated else content
-        said = thing(Telling((*finds, told), (), voice), subjects[0])
-        return f"there is {f'no {_bare(said)}' if main.negated else said}"
+        telling = Telling((*finds, told), (), voice)
+        are = "are" if telling.several(subjects[0]) else "is"
+        said = thing(telling, subjects[0])
+        return f"there {are} {f'no {_bare(said)}' if main.negated else said}"
     belief = main.belief if main else 1.0
     if main and not is_predicate(main):
         return str(naming(Telling(finds, (content,), voice), main, told=True))

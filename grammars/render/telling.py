@@ -9,6 +9,8 @@ from typing import Final, Literal
 from kernel.net.graphlet import Graphlet, Term
 
 Voice = Literal["teacher", "robot"]
+# How several things are referred to.
+GROUPS: Final = ("they", "these", "those")
 # Roles of a term that says something of the node it leads to.
 SAYING: Final = ("hq", "loc", "own", "ako")
 
@@ -104,6 +106,12 @@ class Telling:
         """Speak of so many things instead of each of them."""
         self.terms[name] = replace(self.term(name), ref="")
         self._add(Term(f"cnt-{name}", literal=str(number), links=(("cnt", name),)))
+
+    def several(self, name: str) -> bool:
+        """It is spoken of as more than one."""
+        counted = (t.literal for t in self.terms.values() if ("cnt", name) in t.links)
+        group = self.term(name).ref in GROUPS and not self.term(name).lex
+        return name in self.also or group or any(number != "1" for number in counted)
 
     def is_of(self, main: str, name: str) -> bool:
         """Some graphlet about the one has the other as a term."""

@@ -13,7 +13,7 @@ from grammars.morphology import (
     third_person,
 )
 from grammars.render.qualities import is_material, measured, quality
-from grammars.render.telling import Telling, linked, word
+from grammars.render.telling import GROUPS, Telling, linked, word
 from grammars.sorts import classes
 from grammars.vocabulary import BORN
 from kernel.memory.recall import PERSONS
@@ -33,7 +33,7 @@ PRONOUNS: Final = {
     "that": ("that", "that", "its"),
     "this": ("this", "this", "its"),
 }
-_DETERMINERS: Final = ("the", "this", "that", "every", "any", "all", "each")
+_DETERMINERS: Final = ("the", "this", "that", "these", "those", "every", "any", "all", "each")
 # What one is doing still, and what one does all the time, where that tells which thing is meant.
 _VAGUE: Final = {"somebody": "somebody", "every": "everything"}
 _BE: Final = {"I": "am", "you": "are"}
@@ -228,7 +228,7 @@ def _first(telling: Telling, term: Term) -> str:
     name, ref = term.name, term.ref
     if term.lex:
         return proper(word(term))
-    if (ref in PRONOUNS or ref == "somebody") and not described(telling, name):
+    if (ref in (*PRONOUNS, *GROUPS) or ref == "somebody") and not described(telling, name):
         return ref
     denied = any(kind.negated for kind in telling.about(name, "ako"))  # "that is not my dad"
     owners = [] if denied else [linked(own, "of") for own in telling.take(name, "own")]
@@ -247,13 +247,16 @@ def _first(telling: Telling, term: Term) -> str:
     if not noun:
         vague = _VAGUE.get(ref, "something")
         return " ".join(filter(None, (vague, before, after)))
-    phrase = " ".join(filter(None, (*numbers, before, plural(noun) if numbers else noun, after)))
+    several = bool(numbers) or ref in GROUPS
+    phrase = " ".join(filter(None, (*numbers, before, plural(noun) if several else noun, after)))
     if whose:
         return f"{whose} {phrase}"
     if ref == "one":
         return f"the {phrase}"
     if not ref and (numbers or noun in classes()["mass"]):
         return phrase
+    if ref == "they":
+        return f"the {phrase}"
     return f"{ref if ref in _DETERMINERS else article(phrase)} {phrase}"
 
 

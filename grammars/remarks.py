@@ -1,0 +1,145 @@
+"""Small talk that has the form of a fact: what is said of nobody in particular, of a mood, of what was just done."""
+
+from __future__ import annotations
+
+from typing import Final
+
+from grammars.alist import AList
+from grammars.errors import NoMeaningError
+from grammars.manners import NOT_TOO
+from grammars.mentions import EVERY, is_definite
+from grammars.sorts import is_abstract, is_bare, kind
+from grammars.vocabulary import BORN, set_phrases
+
+# What somebody does without ever being at it; such a saying is no deed that could be watched.
+MENTAL: Final = frozenset("know like love hate want need own prefer fear see mean".split())
+STATIVE: Final = MENTAL | {"get", "take"}
+STANDING: Final = ("stand", "lie", "sit", "hang", "lean", "rest", "live", "wait", "sleep", "float")
+IT: Final = ("it", "that", "this")
+POINTING: Final = ("the", "this", "that", "these", "those")
+LONGEST_QUOTE: Final = 6  # words somebody is told to have said; at more length it is gossip
+
+
+def check_absence(said: AList) -> None:
+    """What there is none of, there is none of somewhere: "there is no milk in the fridge", but no free lunch at all."""
+    exists = said.find("exists")
+    thing = exists.find("np") if exists is not None else None
+    if exists is None or thing is None or not (exists.has("neg") or thing.slot("det") == "no"):
+        return
+    places = [loc for rel in thing.all("rel") for loc in rel.all("loc")]
+    if not any(is_definite(np) for loc in places for np in loc.all("np")):
+        raise NoMeaningError(str(said))
+
+
+def check_subject(said: AList) -> None:
+    """Refuse subjects of generic sentences and of small talk: "a girl", "girls", "I"; and what was said at length."""
+    if len(said.slot("quote").split()) > LONGEST_QUOTE:
+        raise NoMeaningError("gossip")
+    pred = said.find("pred")
+    if pred is not None and pred.has("isname"):
+        raise NoMeaningError("a name; read as such")
+    loc = None if pred is None else pred.find("loc")
+    if loc is not None and any(map(is_abstract, loc.all("np"))):
+        raise NoMeaningError("in a mood, under the weather")
+    subject = said.find("np", "base_np")
+    if subject is None:
+        return
+    if said.has("quote") and subject.has("pron"):  # "he said stop and I stopped"
+        raise NoMeaningError("gossip")
+    if subject.slot("vague") in EVERY and pred is not None and _is_judged(pred):
+        raise NoMeaningError("everything is fine")
+    if subject.slot("vague") == "everything" and (subject.has("rel") or said.has("does")):
+        raise NoMeaningError("a rule; and everything happens for a reason")
+    if subject.has("pron") and _is_remark(said, subject.slot("pron")):
+        raise NoMeaningError("a remark")
+    known = ("name", "det", "own", "owner", "pron", "vague")
+    vague = subject.slot("vague")
+    there = _stands_somewhere(said)
+    generic = (
+        not any(subject.has(part) for part in known)
+        or (subject.slot("det") in ("a", "an") and not there)
+        or subject.slot("det") in ("any", "no")
+        or vague.startswith(("any", "who"))
+        or subject.slot("ako") == "name"
+        or (vague and pred is not None and pred.has("kindof"))
+    )
+    speaking = subject.slot("pron") in (("i", "me", "we") if _has_something(said) else ("i", "me"))
+    if generic or (speaking and not _is_owning(said)) or _is_saying(said, subject):
+        raise NoMeaningError(str(said))
+
+
+def _has_something(said: AList) -> bool:
+    """ "I have two brothers", and no more than that."""
+    counted = said.has("counted") or len(said.all("np", "base_np")) > 1
+    doing = said.slot("does", "have") != "have"
+    return counted and not doing and not any(map(said.has, ("pred", "going", "quote", "num")))
+
+
+def _is_owning(said: AList) -> bool:
+    """It tells of the speaker what may be asked for later; "I have a dream" tells of nothing to be seen."""
+    counted = said.find("counted")
+    things = said.all("np", "base_np")[1:] if counted is None else [counted]
+    return _has_something(said) and all(map(_is_countable, things))
+
+
+def _is_countable(thing: AList) -> bool:
+    """One of a kind, or several, that the robot has a word for or that is described."""
+    known = (BORN.knows(kind(thing)) or thing.has("qual")) and not is_abstract(thing)
+    some = thing.has("num") or thing.has("akos") or not is_bare(thing)
+    return known and some and thing.slot("det") not in POINTING
+
+
+def _stands_somewhere(said: AList) -> bool:
+    """ "A person is standing behind you" tells of one that is there now."""
+    doing = said.find("going") or said
+    place = doing.find("place")
+    stands = doing.slot("gerund") or doing.slot("does")
+    return (
+        stands in STANDING
+        and place is not None
+        and any(loc.has("prep") for loc in place.all("loc"))
+    )
+
+
+def _is_remark(said: AList, pron: str) -> bool:
+    """ "It's a small world", "that is a good question"; "it is raining", "you are hopeless" in a word nobody taught."""
+    pred, going = said.find("pred"), said.find("going")
+    if going is not None:
+        verb = going.slot("gerund") or going.value or ""
+        return BORN.readings(verb).keys().isdisjoint(("VERB", "STATE"))
+    if pred is None:
+        return False
+    kindof, qual = pred.find("kindof"), pred.find("qual")
+    if pron == "you" and kindof is not None and _is_judged(kindof):
+        return True
+    told_kind = pron in IT and kindof is not None and is_abstract(kindof)
+    return told_kind or (qual is not None and (qual.value is not None or _is_verdict(pron, qual)))
+
+
+def _is_verdict(pron: str, qual: AList) -> bool:
+    """ "That's too loud": of what was done, as no thing is too fast."""
+    way = qual.slot("hq")
+    too = any(deg.value == "too" for deg in qual.all("deg"))
+    return too and pron in IT and not NOT_TOO.keys().isdisjoint((way, f"{way}ly"))
+
+
+def _is_judged(kindof: AList) -> bool:
+    """ "You are a bad, bad boy": praise and blame."""
+    said = {qual.slot("hq") or qual.value for qual in kindof.all("qual")}
+    return not said.isdisjoint((*set_phrases()["GOOD"], *set_phrases()["BAD"]))
+
+
+def _is_saying(said: AList, subject: AList) -> bool:
+    """What somebody that only a pronoun tells of does to a thing that nothing is said of: "he knows the ropes"; and of
+    the robot also to any such thing, as it knows best what it sees and likes: "you need a break"."""
+    things = said.all("np")[1:]
+    if said.slot("does") == "know":  # "Rick knows the drill"
+        return any(thing.slot("det") == "the" and _is_bare(thing) for thing in things)
+    if said.slot("does") not in STATIVE or not subject.has("pron"):
+        return False
+    kinds = ("the",) if subject.slot("pron") != "you" else ("the", "a", "an", "")
+    return any(thing.slot("det") in kinds and _is_bare(thing) for thing in things)
+
+
+def _is_bare(thing: AList) -> bool:
+    return all(part.name in ("det", "ako", "akos") for part in thing)
