@@ -17,7 +17,7 @@ from grammars.chains import (
     turned,
     turns,
 )
-from grammars.clauses import flat, names, put_nowhere, stated
+from grammars.clauses import flat, names, stated
 from grammars.errors import NoMeaningError
 from grammars.manners import SIZES, bounded, manner, not_too, resulting, unit_of
 from grammars.mentions import (
@@ -32,9 +32,9 @@ from grammars.mentions import (
     somebody,
 )
 from grammars.pacing import count, in_a_while, spaced, waited, whole
-from grammars.sorts import is_attribute, kind
+from grammars.sorts import is_attribute, kind, usages
 from grammars.things import Things
-from grammars.usage import is_used
+from grammars.usage import is_used, put_nowhere
 from kernel.action.chain import Chain, Directive, Play
 from kernel.memory.editing import OTHER_WAY
 from kernel.net.graphlet import Graphlet
@@ -120,7 +120,7 @@ class Build(Things):
         said = tuple(part for part in every if part.name not in ("num", "each_person"))
         if (left_out := every.find("excepting")) is not None:
             said = (*(part for part in said if part is not left_out), but(left_out))
-        name = self.thing(AList("np", (*kind, *said)))
+        name = self.thing(AList("np", (AList("det", value="each"), *kind, *said)))
         self.sketch.change(name, ref="each")
         self.each = self.sketch.graphlet(name, *(term.name for term in self.finds.pop().terms))
         return name
@@ -241,6 +241,8 @@ class Build(Things):
         if inquiry.has("nearby"):
             return Directive("DO", self.graphlet(self.add("act", "look around")))
         if (done := inquiry.find("what_done")) is not None:
+            if "alone" in usages(done.slot("does")):  # "what color the block cha-chas"
+                raise NoMeaningError(str(done))
             wanted = self.add("obj")
             self.add("ako", done.slot("attribute"), ako=wanted)
             self.add("act", done.slot("does"), agt=self.aside(done.first("np")), obj=wanted)

@@ -12,8 +12,9 @@ from grammars.clauses import clause, condition, names
 from grammars.errors import NoMeaningError
 from grammars.mentions import somebody
 from grammars.pacing import HOLDING, TIMES, count, paced, whole
-from grammars.usage import TURNERS, is_odd_end
+from grammars.usage import is_odd_end
 from grammars.vocabulary import BORN, lines
+from grammars.ways import TURNERS
 from kernel.action.chain import Chain, Directive, Loop, Part, Play
 from kernel.net.graphlet import Graphlet, Term
 

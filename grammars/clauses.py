@@ -8,10 +8,11 @@ from grammars.alist import AList
 from grammars.comparing import seen_from_robot
 from grammars.errors import NoMeaningError
 from grammars.mentions import VERB_SLOTS
-from grammars.sorts import is_abstract, is_kind_of_it, kind, may_be_called, usages
+from grammars.sorts import classes, is_abstract, is_kind_of_it, kind, may_be_called, usages
 from grammars.timing import it_is, tells_time, timed
-from grammars.usage import WAYS
+from grammars.usage import TIMES_OF_DAY, put_nowhere
 from grammars.vocabulary import BORN
+from grammars.ways import WAYS
 from kernel.memory.contraries import PAIRS
 from kernel.net.graphlet import Graphlet
 
@@ -21,7 +22,6 @@ if TYPE_CHECKING:
 TOOLS: Final = ("drill", "ropes", "score")
 SENSED: Final = ("see", "hear", "feel", "smell")
 PAST: Final = "past"
-PUTTING: Final = ("put", "place", "lay", "set", "stack", "put down", "set down", "lay down")
 
 
 def flat(conds: AList) -> list[AList]:
@@ -138,11 +138,20 @@ def _subject(build: Build, np: AList, part: AList) -> str:
         raise NoMeaningError(str(part))
     if np.slot("pron") == "it" and build.pattern and tells_time(pred or part):
         return build.add("obj", ref="it")
-    if names(part) and not may_be_called(np):
+    if kind(np) in classes()["parts"] and "willing" in usages(part.slot("does")):
+        raise NoMeaningError(str(part))  # "the gripper orders something"
+    if _is_hour(pred) and np.slot("pron") != "it":
+        raise NoMeaningError(str(part))  # "the gripper is morning"
+    if names(part) and (not may_be_called(np) or (build.pattern and kind(np) == "name")):
         raise NoMeaningError(str(part))
     if np.slot("pron") == "it" and names(part):
         return build.pronoun("they")
     return build.thing(np)
+
+
+def _is_hour(pred: AList | None) -> bool:
+    """It tells what time of day it is."""
+    return pred is not None and any(qual.slot("hq") in TIMES_OF_DAY for qual in pred.all("qual"))
 
 
 def _exists(build: Build, exists: AList) -> str:
@@ -234,13 +243,6 @@ def _is_knowable(np: AList) -> bool:
     """People, animals and the like may be known, and what is no thing at all: nobody "knows the drill"."""
     tool = kind(np) in TOOLS and np.slot("det") == "the"
     return not (tool or np.has("pron"))
-
-
-def put_nowhere(verb: str, said: AList, thing: AList | None) -> bool:
-    """ "In the box" is where the ball is put, and not which ball: "put the ball in the box"."""
-    if verb not in PUTTING or said.has("place") or thing is None:
-        return False
-    return any(rel.has("loc") for rel in thing.all("rel"))
 
 
 def exception(build: Build, alist: AList) -> tuple[Graphlet, ...]:

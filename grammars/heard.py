@@ -34,7 +34,7 @@ SORTS: Final = {
     "VERB": ("HANDLING", "MOVING", "GOING", "RESTING"),
     "VERBING": ("HOLDING", "GOING_ON", "RESTING_ON"),
 }
-DRAWN: Final = 10  # sentences like an example that must be read as it is
+DRAWN: Final = 20  # sentences like an example that must be read as it is
 # "The ball is red" is a fact, "a ball is red" a rule, "anything is red" neither: what something is said of is known.
 KNOWN: Final = "_known"
 BEING: Final = frozenset(("is", "are", "was", "has"))

@@ -170,6 +170,8 @@ def _may_be_name(token: Token, before: Sequence[Piece], after: Sequence[Token]) 
         return words[:2] in NAMING and ("ADJ" in token.readings or (noun and bool(pet)))
     said = [piece.text for piece in before]
     told = said[-1] in CALLING or said == ["name", "is"]
+    if not told and token.readings.keys() & set_categories():  # "Bad robot"
+        return False
     nameable = ("ADJ", "NOUN", "NOUNS", *(("STRANGE",) if told else ()))
     return (told or token.piece.capital) and not token.readings.keys().isdisjoint(nameable)
 

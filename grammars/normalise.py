@@ -19,7 +19,7 @@ TOKEN = re.compile(
       | (?P<number>\d+(?:\.\d+)?)
       | (?P<word>[^\W\d_]+(?:['’-][^\W\d_]+)*['’]?)
       | (?P<comma>[,;:–—]|\s-\s)
-      | (?P<degree>°)
+      | (?P<degree>(?<=[\d\s])°)
       | (?P<end>[.!?…]+)
       | (?P<other>\S)""",
     re.VERBOSE,
@@ -33,6 +33,7 @@ THINKING: Final = (
     ("i", "repeat"),
     *SIGHS,
 )
+MODALS: Final = ("could", "can", "would", "will")
 OPENERS: Final = frozenset("well so okay oh hey now and robot please alright".split())
 FILLERS: Final = frozenset("uh um er erm uhm hmm ah eh mm huh umm uhh uhhh ummm err hm".split())
 WHOLE = {
@@ -186,6 +187,12 @@ def _numbers(found: list[Piece]) -> list[Piece]:
 
 def without_chat(found: Sequence[Piece]) -> list[Piece]:
     """Sighs and words of thinking left out, at the beginning or beside a comma: "could you, like, turn left"."""
+    if (
+        _texts(found[1:3]) == ["you", "like"]
+        and found[0].text in MODALS
+        and _texts(found[3:4]) != ["to"]
+    ):
+        found = [*found[:2], *found[3:]]
     for said in THINKING:
         for at in range(len(found) - len(said) + 1):
             end = at + len(said)
@@ -259,6 +266,8 @@ def repaired_by_speaker(
                 continue
             before = [piece for piece in found[:at] if piece.kind != "comma"]
             after = [piece for piece in found[at + len(marker) :] if piece.kind != "comma"]
+            if marker == ["no"] and after and "VERBING" in sorts(after[0].text):
+                continue  # "no shouting" forbids something
             return _put_right(before, after, sorts) if after else before
     return list(found)
 
@@ -269,6 +278,8 @@ def _put_right(
     """The correction in the place of the same word, else of a word of its sort, else of as many words; what followed a
     single word that was corrected stays."""
     new = after[0]
+    if "VERB" in sorts(new.text) and not any("VERB" in sorts(piece.text) for piece in before):
+        return []  # there was no deed that could be put right
     sort = [name for name in REPAIRABLE if name in sorts(new.text)]
     same = [at for at, piece in enumerate(before) if piece.text == new.text]
     number = [at for at, piece in enumerate(before) if piece.kind == new.kind == "number"]

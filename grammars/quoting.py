@@ -24,6 +24,9 @@ NEVER_SAID: Final = frozenset(
 )  # words that a quote hardly ever holds
 CONDITIONALS: Final = frozenset("if when whenever unless until while".split())
 OCCASIONS: Final = CONDITIONALS | {"after", "before", "once"}
+SUBJECTS: Final = frozenset(
+    "i you he she it we they someone somebody something anyone anybody anything".split()
+)
 # How a clause about somebody else begins.
 THIRD: Final = frozenset(
     "the a an my his her its their our this that he she it somebody someone something anybody anyone nobody".split()
@@ -58,11 +61,21 @@ def _swallows(tokens: Sequence[Token], derive: Derive) -> bool:
         token.piece.text in NEVER_SAID
         or (
             token.piece.text in OCCASIONS
-            and (_is_of_another(tokens[at + 1 :]) or _derives(tokens[at + 1 :], "conds", derive))
+            and (
+                _is_broken_off(token, tokens[at + 1 :])
+                or _is_of_another(tokens[at + 1 :])
+                or _derives(tokens[at + 1 :], "conds", derive)
+            )
         )
         for at, token in enumerate(tokens[:-1])
         if at > 0
     )
+
+
+def _is_broken_off(occasion: Token, tokens: Sequence[Token]) -> bool:
+    """ "When someone", "if it": nothing is said of them yet."""
+    before = occasion.piece.text in CONDITIONALS
+    return before and len(tokens) == 1 and tokens[0].piece.text in SUBJECTS
 
 
 def _is_of_another(tokens: Sequence[Token]) -> bool:

@@ -168,6 +168,8 @@ def _quote(tree: Tree, text: str) -> str:
     if pieces[0].kind == "quote":
         return pieces[0].text
     words = [piece.text for piece in pieces]
+    if pieces[0].begin == pieces[0].end:  # "tell Janey's brother"
+        return ""
     if (words[0] in BUILDERS and len(words) > 2) or sum(word in BUILDERS for word in words) > 1:
         return ""
     if len(words) > 1 and words[-1] in DANGLING:

@@ -18,7 +18,7 @@ from grammars.normalise import Piece
 from grammars.quoting import holds
 from grammars.ranking import Ranking, Tree, to_alist
 from grammars.registry import discover
-from grammars.usage import is_waiting_for_way
+from grammars.ways import is_waiting_for_way
 from kernel.memory.meaning import Meaning, Teach
 
 MOST_REPAIRED: Final = 4  # typos in one sentence
@@ -204,7 +204,9 @@ def _built(sentence: AList) -> tuple[str, Meaning] | None:
     """Kind and meaning of a reading; None where the net has no room for it."""
     if any(part.name == "quote" and not part.value for part in sentence.walk()):
         return None
-    if any(part.name == "right_now" for part in sentence.walk()) and is_waiting_for_way(sentence):
+    if any(
+        part.name in ("right_now", "at_once") for part in sentence.walk()
+    ) and is_waiting_for_way(sentence):
         return None
     forms = discover()
     body = next(part for part in sentence if part.name in forms)

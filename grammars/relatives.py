@@ -6,10 +6,10 @@ from typing import TYPE_CHECKING, Final
 
 from grammars.alist import AList
 from grammars.chains import particles
-from grammars.clauses import PUTTING
 from grammars.errors import NoMeaningError
 from grammars.mentions import PLACES, VERB_SLOTS, compounded, is_time
 from grammars.sorts import is_bare, is_kind_of_it, kind, usages
+from grammars.usage import PUTTING
 
 if TYPE_CHECKING:
     from grammars.things import Things

@@ -5,6 +5,7 @@ The classes of verbs are in `words/usage.txt`, what can be neither handled nor o
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from functools import cache
 from typing import Final
 
@@ -15,6 +16,10 @@ ABSTRACT_ENDINGS: Final = ("ness", "ity", "tude", "hood", "ism")
 SHORTEST_ABSTRACT: Final = 7  # letters; a city is none
 SEVERAL: Final = ("these", "those")
 ONE: Final = ("a", "an", "another", "this", "that")
+COMPLEMENTS: Final = ("of", "for", "about", "with", "at", "to")
+ROBOT: Final = "robot"
+POSITIONS: Final = frozenset(("up", "down", "on", "off"))
+LEARNED: Final = ("learn", "know", "say", "tell", "teach", "hear", "think", "forget")
 NOBODY: Final = frozenset(("nothing", "nobody", "no one"))
 EITHER: Final = (
     "any of",
@@ -69,6 +74,10 @@ def is_people(np: AList) -> bool:
 def is_abstract(np: AList) -> bool:
     """It tells of nothing that could be handled or owned."""
     said = kind(np)
+    if said == "step" and any(qual.has("ord") for qual in np.all("qual")):  # "the last step"
+        return True
+    if any(verb.value in LEARNED for rel in np.all("rel") for verb in rel.walk()):
+        return True  # "everything you learned"
     ending = len(said) >= SHORTEST_ABSTRACT and said.endswith(ABSTRACT_ENDINGS)
     return said in abstract_words() or (ending and not BORN.knows(said))
 
@@ -76,6 +85,11 @@ def is_abstract(np: AList) -> bool:
 def is_bare(np: AList) -> bool:
     """It has no article, or what would stand for one."""
     return not any(np.has(part) for part in DETERMINED)
+
+
+def is_superlative(np: AList) -> bool:
+    """The most so of all: "biggest block" is the biggest block."""
+    return is_bare(np) and any(qual.has("most") or qual.has("most_of") for qual in np.all("qual"))
 
 
 def is_nothing(np: AList) -> bool:
@@ -88,6 +102,13 @@ def agrees(np: AList) -> bool:
     det = np.slot("det")
     if np.slot("sub") and np.slot("sub") == kind(np):  # "a block block"
         return False
+    quals = {qual.slot("hq") for qual in np.all("qual")}
+    if np.has("vague") and (quals & POSITIONS or any(qual.has("most") for qual in np.all("qual"))):
+        return False  # "something up", "something stickiest"
+    if np.has("akos") and any(rel.has("name") for rel in np.all("rel")):  # "suits called Tommy"
+        return False
+    if kind(np) == ROBOT and np.has("sub") and np.slot("sub") not in classes()["robots"]:
+        return False  # "pick up the block, robot"
     if np.has("numbered") and kind(np) not in classes()["numbered"]:  # "page two"
         return False
     return not (det in ONE and np.has("akos")) and not (det in SEVERAL and np.has("ako"))
@@ -104,6 +125,8 @@ def may_be_called(np: AList) -> bool:
 
 def is_kind_of_it(np: AList, kindof: AList) -> bool:
     """ "The light is toads" is said by nobody; "something is scissors" may be."""
+    if is_people(kindof) and kind(np) in classes()["parts"]:  # "the gripper is Janey's brother"
+        return False
     several = kindof.slot("akos") if not kindof.has("own") and not kindof.has("owner") else ""
     return (
         not several or not (np.has("ako") or np.has("vague")) or "NOUNS" in BORN.readings(several)
@@ -116,8 +139,28 @@ def is_attribute(word: str) -> bool:
     return not known or word in classes()["attributes"]
 
 
+def may_regard(pred: AList) -> bool:
+    """The quality may regard something: "afraid of dogs", and not "empty of you"."""
+    loc, qual = pred.find("loc"), pred.first("qual")
+    word = qual.slot("hq")
+    if (
+        loc is None
+        or loc.slot("prep") not in COMPLEMENTS
+        or any(deg.value == "too" for deg in qual.all("deg"))
+    ):
+        return True  # "too heavy for you"
+    return not BORN.knows(word) or word in classes()["regarding"]
+
+
+def is_graded(quality: str, degrees: Sequence[str]) -> bool:
+    """There may be so much of it: nothing is "very up", or "very too far"."""
+    return not ("very" in degrees and quality in POSITIONS) and list(degrees) != ["very", "too"]
+
+
 def is_recited(np: AList) -> bool:
     """A text, or it may be one: nobody recites sweaters or repeats a block."""
+    if np.has("one"):  # "the last one", and not "the red one"
+        return not any(qual.slot("hq") for qual in np.all("qual"))
     known = (np.has("name") and not is_country(np)) or BORN.knows(kind(np))
     return not known or is_abstract(np) or kind(np) in classes()["texts"]
 

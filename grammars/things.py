@@ -36,7 +36,7 @@ from grammars.mentions import (
     with_apposed,
 )
 from grammars.relatives import kind_of, relative
-from grammars.sorts import EITHER, agrees, is_nothing, kind
+from grammars.sorts import EITHER, agrees, is_graded, is_nothing, is_superlative, kind, may_regard
 from grammars.vocabulary import BORN
 from kernel.memory.recall import PERSONS
 from kernel.net.graphlet import Graphlet, Sketch, Term
@@ -179,7 +179,10 @@ class Things:
         anybody = vague in PERSON_WORDS and self.trigger
         of_owner = any(rel.find("owner_of", "of_owner") is not None for rel in np.all("rel"))
         ref = "somebody" if anybody else "one" if np.has("one") else REFS.get(det, "")
-        ref = "the" if np.has("numbered") and not det else ref
+        if not det and (
+            np.has("numbered") or is_superlative(np)
+        ):  # "box two", "grab biggest block"
+            ref = "the"
         ref = GROUPS.get(det, "they") if self.telling and is_group(np) else ref
         ref = "every" if vague in EVERY else ref
         ref = "" if ref == "the" and of_owner else ref  # "the cup of Mary's brother" is his cup
@@ -215,8 +218,11 @@ class Things:
         said = map(qual.slot, ("hq", "ako", "more", "most", "ord"))
         word = next(filter(None, said), qual.value or "")
         hq = self.add("hq", word, hq=name, negated=negated)
-        for deg in qual.all("deg"):
-            self.add("deg", degree(deg.value or ""), deg=hq)
+        degrees = [degree(part.value or "") for part in qual.all("deg")]
+        if not is_graded(word, degrees):
+            raise NoMeaningError(str(qual))
+        for deg in degrees:
+            self.add("deg", deg, deg=hq)
         if qual.has("more"):
             self.add("deg", "more", deg=hq)
         if qual.has("most") or qual.has("most_of"):
@@ -249,6 +255,8 @@ class Things:
         if (made := pred.find("made_of")) is not None:
             return self.quality(name, made, negated)
         if pred.has("qual"):
+            if not may_regard(pred):
+                raise NoMeaningError(str(pred))
             main, *_ = [self.quality(name, part, negated) for part in pred.all("qual")]
             if (about := pred.find("loc")) is not None:  # "afraid of dogs"
                 self.place("loc", main, about)

@@ -1,8 +1,8 @@
 """How verbs are used: what may stand beside one, and what only stands there by chance.
 
 A rule of the grammar takes any verb for any; nobody sulks puddles, drives a hamster, thanks left or grabs an attitude.
-The classes of verbs and the sorts of things are in `sorts.py`. A verb that is in no class, and so every verb that is
-taught, is used in any way.
+The classes of verbs and the sorts of things are in `sorts.py`, directions and destinations in `ways.py`. A verb that
+is in no class, and so every verb that is taught, is used in any way.
 """
 
 from __future__ import annotations
@@ -11,6 +11,7 @@ from typing import Final
 
 from grammars.alist import AList
 from grammars.sorts import (
+    ROBOT,
     classes,
     is_abstract,
     is_bare,
@@ -23,27 +24,10 @@ from grammars.sorts import (
     persons_own,
     usages,
 )
+from grammars.ways import BACKING, WAYS, is_somewhere
 
-WAYS: Final = frozenset(
-    "left right forward backward clockwise counterclockwise sideways straight".split()
-)
-OPPOSITE: Final = (
-    {"left", "right"},
-    {"forward", "backward"},
-    {"up", "down"},
-    {"clockwise", "counterclockwise"},
-    {"in", "out"},
-    {"on", "off"},
-)
 # "Go out the door": what stands behind them is the way.
 PATHS: Final = frozenset("up down in out over around through along".split())
-BACKING: Final = ("back", "reverse")
-# Said alone they move nothing: "in", "here".
-NO_WAY: Final = frozenset(
-    "in on off out over away here there inside outside indoors outdoors".split()
-)
-PARTICLES: Final = frozenset("in out on off up down over".split())
-SWITCHING: Final = frozenset(("on", "off"))
 # Qualities that stand behind a thing only, unless it has an article ("press the on button").
 BEHIND: Final = frozenset(
     "up down on off here there gone home away asleep awake alone alive afraid near".split()
@@ -57,12 +41,10 @@ TIMES_OF_DAY: Final = frozenset(
 )
 # "It is late": of nothing in particular.
 AMBIENT: Final = frozenset("late early dark sunny cloudy windy foggy".split())
-TURNERS: Final = frozenset("turn rotate spin swivel pivot twirl circle twist revolve".split())
-VERTICAL: Final = frozenset(("up", "down"))
-ORIGINS: Final = ("from", "away from")
-HERE: Final = frozenset(("here", "there"))
 # Nothing is done to them under these names: "stop you", "grab he".
 SUBJECTS: Final = ("you", "i", "he", "she", "they")
+
+PUTTING: Final = ("put", "place", "lay", "set", "stack", "put down", "set down", "lay down")
 
 
 def is_used(action: AList, verb: str, pattern: bool) -> bool:
@@ -74,34 +56,18 @@ def is_used(action: AList, verb: str, pattern: bool) -> bool:
         pattern: no order, but a deed that an order may be matched with.
     """
     uses, obj = usages(verb), action.find("np")
-    dirs = [part.value or "" for part in action.all("dir")]
-    dirs += (manner.slot("adv") for manner in action.all("manner") if manner.slot("adv") in WAYS)
     every = action.find("every")
     if every is not None and not _takes_each(action, every, uses):
         return False
     if obj is not None and not _takes(action, obj, uses, pattern):
         return False
-    if not pattern and (_lacks(action, obj, uses) or _goes_to_itself(action, obj, uses)):
-        return False
-    if not pattern and _is_upon_nothing(action):
+    if not pattern and (_lacks(action, obj, uses) or _is_upon_nothing(action)):
         return False
     if "whole" in uses and (action.has("size") or action.has("amt")):
         return False
-    if _is_crossed(action, obj, dirs):
+    if any(len(action.all(part)) > 1 for part in ONCE) or _is_untimely(action, uses):
         return False
-    if any({one, other} in OPPOSITE or one == other for one in dirs for other in _after(dirs, one)):
-        return False
-    if {"nowhere", "steering"} <= uses and "venting" not in uses and action.has("dest"):
-        return False  # "stop to the kitchen"
-    if any(len(action.all(part)) > 1 for part in ONCE):
-        return False
-    if ("still" in uses and not WAYS.isdisjoint(dirs)) or (
-        "nowhere" in uses and not HERE.issuperset(dirs)
-    ):
-        return False
-    if _is_from_nowhere(action, uses) or _is_untimely(action, uses):
-        return False
-    if not pattern and any(_is_no_end(np) for part in action.all("dest") for np in part.all("np")):
+    if not is_somewhere(action, obj, uses, pattern):
         return False
     receiver = action.find("iobj")
     if receiver is not None and not all(map(may_receive, receiver.all("np"))):
@@ -113,19 +79,11 @@ def is_used(action: AList, verb: str, pattern: bool) -> bool:
     return pattern or all(map(_is_short, bare))
 
 
-def _is_crossed(action: AList, obj: AList | None, dirs: list[str]) -> bool:
-    """Ways that come together only by chance: "turn right on", "leave out the back up"; each block is not backed up."""
-    said = set(dirs)
-    every = action.find("every")
-    if every is not None and action.slot("act") in BACKING:
-        return kind(every) not in classes()["backing"] | {""}
-    particles = said & PARTICLES
-    upward = obj is None and action.slot("act") in TURNERS and bool(said & VERTICAL)
-    return (
-        (bool(said & WAYS) and bool(said & SWITCHING))
-        or ((obj is not None or "still" in usages(action.slot("act"))) and len(particles) > 1)
-        or upward  # "turn back up"
-    )
+def put_nowhere(verb: str, said: AList, thing: AList | None) -> bool:
+    """ "In the box" is where the ball is put, and not which ball: "put the ball in the box"."""
+    if verb not in PUTTING or said.has("place") or thing is None:
+        return False
+    return any(rel.has("loc") for rel in thing.all("rel"))
 
 
 def _is_upon_nothing(action: AList) -> bool:
@@ -142,50 +100,21 @@ def _lacks(action: AList, obj: AList | None, uses: frozenset[str]) -> bool:
         obj.has("pron")
         or obj.has("name")
         or is_people(obj)
+        or any(rel.has("seen_by") for rel in obj.all("rel"))
         or any(m.has("faster") for m in action.all("manner"))
     )
+    if "handing" in uses and obj is not None and not (action.has("iobj") or action.has("dest")):
+        return is_people(obj) or obj.has("name")  # "hand visitors"
     lacking = "needing" in uses or any(
         sort in uses and action.has(part)
-        for sort, part in (("taking", "place"), ("aimless", "dir"))
+        for sort, part in (("taking", "place"), ("taking", "dest"), ("aimless", "dir"))
     )
     return (lacking and not said) or ("making" in uses and making)
-
-
-def _is_from_nowhere(action: AList, uses: frozenset[str]) -> bool:
-    """ "Halt from Mary": who is not on the way comes from nowhere."""
-    place = action.find("place")
-    loc = None if place is None else place.find("loc")
-    return "nowhere" in uses and loc is not None and loc.slot("prep") in ORIGINS
 
 
 def _is_untimely(action: AList, uses: frozenset[str]) -> bool:
     """ "See it slower": what is done all or not at all takes no time."""
     return "sensing" in uses and any(m.has("faster") for m in action.all("manner"))
-
-
-def _is_no_end(np: AList) -> bool:
-    """ "Turn to jungles", "go to the lesson": nobody gets there."""
-    return (is_bare(np) and np.has("akos")) or is_abstract(np)
-
-
-def _goes_to_itself(action: AList, obj: AList | None, uses: frozenset[str]) -> bool:
-    """ "Go on in front of you": the robot is no place to go to; nor is what it stands on already: "go on it"."""
-    if obj is not None or uses.isdisjoint(("alone", "steering")) or "looking" in uses:
-        return False
-    place, dest = action.find("place"), action.find("dest")
-    marks = [] if dest is None else [np.slot("pron") for np in dest.all("np")]
-    if place is not None:
-        loc = place.first("loc")
-        marks += (np.slot("pron") for np in loc.all("np"))
-        named = any(np.has("name") for np in loc.all("np"))
-        people = any(map(is_people, loc.all("np")))
-        if loc.slot("prep") == "on" and (named or people or "it" in marks):
-            return True
-    return not {"you", "yourself"}.isdisjoint(marks)
-
-
-def _after(said: list[str], one: str) -> list[str]:
-    return said[said.index(one) + 1 :]
 
 
 def _takes_each(action: AList, every: AList, uses: frozenset[str]) -> bool:
@@ -215,11 +144,15 @@ def _takes(action: AList, obj: AList, uses: frozenset[str], pattern: bool) -> bo
         return False
     if named and "faring" not in uses and is_country(obj):
         return False
-    if before and _is_called(obj):
+    if (before and _is_called(obj)) or (bare and kind(obj) == ROBOT):
         return False
     if not pattern and (obj.slot("pron") in SUBJECTS or kind(obj) in TIMES_OF_DAY):
         return False
-    if action.slot("act") in BACKING and kind(obj) not in classes()["backing"] | {""}:
+    if action.slot("act") in BACKING and (
+        obj.has("one") or kind(obj) not in classes()["backing"] | {""}
+    ):
+        return False
+    if bare and kind(obj) == "back":  # "grab back up"
         return False
     quals = _qualities(obj)
     if (bare and quals & BEHIND) or (quals & WORKED and kind(obj) not in classes()["switches"]):
@@ -235,6 +168,14 @@ def _takes(action: AList, obj: AList, uses: frozenset[str], pattern: bool) -> bo
         "self" in uses and (named or obj.slot("pron") == "you")
     ):
         return False
+    if (
+        bare
+        and obj.has("sub")
+        and any(
+            is_bare(np) for place in action.all("place") for np in place.walk() if np.name == "np"
+        )
+    ):
+        return False  # "tighten pajamas trick from ties"
     return pattern or _is_short(obj, "telling" in uses)
 
 
@@ -257,17 +198,3 @@ def is_odd_end(np: AList, qual: AList) -> bool:
 
 def _qualities(np: AList) -> set[str]:
     return {qual.value or qual.slot("hq") for qual in np.all("qual")}
-
-
-def is_waiting_for_way(sentence: AList) -> bool:
-    """ "Turn right now" turns right; "back up right now" backs up at once."""
-    deeds = [part for part in sentence.walk() if part.name == "action"]
-    if not deeds or any(part.name != "act" for part in deeds[-1].parts):
-        return False
-    return (deeds[-1].value or deeds[-1].slot("act")) in TURNERS
-
-
-def is_way(bare: AList) -> bool:
-    """Directions without a verb that tell where to go."""
-    said = [part.value for part in bare.walk() if part.name == "dir"]
-    return said[:1] == [] or said[0] not in NO_WAY

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
-from functools import cached_property
+from functools import cache, cached_property
 from importlib.resources import files
 from itertools import product
 from typing import Final
@@ -66,10 +66,18 @@ def _noun(lexicon: Lexicon, noun: str) -> None:
 
 def _adjective(lexicon: Lexicon, adjective: str) -> None:
     _add(lexicon, adjective, "ADJ", adjective)
+    if adjective in ungraded():
+        return
     for form, category in (("comparative", "ADJER"), ("superlative", "ADJEST")):
         word = getattr(morphology, form)(adjective)
         if " " not in word:
             _add(lexicon, word, category, adjective)
+
+
+@cache
+def ungraded() -> frozenset[str]:
+    """What nothing is more than something else: "done", "teal"."""
+    return frozenset(word for line in lines("ungraded") for word in line.split())
 
 
 def set_phrases() -> dict[str, tuple[str, ...]]:
@@ -104,6 +112,7 @@ def _born() -> Lexicon:
         lexicon[word]["ADJ"] = lemma
     for category, name in (
         ("DIR", "directions"),
+        ("SIDE", "sides"),
         ("ADV", "manners"),
         ("DEG", "degrees"),
         ("UNIT", "units"),

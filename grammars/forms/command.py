@@ -6,7 +6,7 @@ from grammars.alist import AList
 from grammars.build import Build, NoMeaningError
 from grammars.chains import bare_chain
 from grammars.registry import sentence_form
-from grammars.usage import is_way
+from grammars.ways import is_way
 from kernel.memory.meaning import Command
 
 EXAMPLES = (

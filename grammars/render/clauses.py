@@ -12,13 +12,12 @@ from grammars.morphology import article, comparative, gerund, past, plural, thir
 from grammars.render.deeds import be, deed
 from grammars.render.qualities import degree, quality
 from grammars.render.telling import SAYING, Telling, is_predicate, linked, word
-from grammars.render.things import PRONOUNS, alike, description, kind, place, proper, thing
+from grammars.render.things import PRONOUNS, alike, description, kind, owned, place, proper, thing
 from grammars.sorts import NOBODY
 from grammars.vocabulary import BORN
 from kernel.net.graphlet import Graphlet, Term
 
 POINTING: Final = ("this", "that")
-_ABSOLUTE: Final = {"my": "mine", "your": "yours", "her": "hers", "their": "theirs"}
 
 
 @dataclass(frozen=True, slots=True)
@@ -266,13 +265,8 @@ def _as_quality(telling: Telling, term: Term) -> str:
     return " ".join([quality(telling, term), *regards])
 
 
-def _as_owned(telling: Telling, term: Term) -> str:
-    owner = thing(telling, linked(term, "of"), "possessive")
-    return _ABSOLUTE.get(owner, owner)
-
-
 _COMPLEMENTS: Final[dict[str, Callable[[Telling, Term], str]]] = {
-    "ako": _as_kind, "hq": _as_quality, "loc": place, "own": _as_owned,
+    "ako": _as_kind, "hq": _as_quality, "loc": place, "own": owned,
 }  # fmt: skip
 
 

@@ -36,6 +36,7 @@ PRONOUNS: Final = {
 _DETERMINERS: Final = ("the", "this", "that", "these", "those", "every", "any", "all", "each")
 # What one is doing still, and what one does all the time, where that tells which thing is meant.
 _VAGUE: Final = {"somebody": "somebody", "every": "everything"}
+_ABSOLUTE: Final = {"my": "mine", "your": "yours", "her": "hers", "their": "theirs"}
 _BE: Final = {"I": "am", "you": "are"}
 _ONGOING: Final = ("hold", "carry", "wear", "watch")
 _FELT: Final = tuple("see hear want like love need have know own hate prefer mean smell".split())
@@ -81,6 +82,12 @@ def proper(name: str) -> str:
 def literally(text: str) -> str:
     """Quoted speech between quotation marks."""
     return '"' + text.replace('"', "'") + '"'
+
+
+def owned(telling: Telling, own: Term) -> str:
+    """Whose something is, as it is said after "is": mine, Mary's."""
+    owner = thing(telling, linked(own, "of"), "possessive")
+    return _ABSOLUTE.get(owner, owner)
 
 
 def alike(telling: Telling, term: Term) -> str:
@@ -134,12 +141,18 @@ def description(telling: Telling, name: str, noun: str) -> tuple[str, str, str]:
             after.append(f"that is {quality(telling, term)}")
         else:
             plain.append(quality(telling, term))
-    after += [place(telling, term) for term in telling.take(name, "loc")]
+    for term in telling.take(name, "loc"):
+        after.append(
+            f"that is not {place(telling, term)}" if term.negated else place(telling, term)
+        )
     for term in telling.take(name, "ako"):
         owners = [linked(own, "of") for own in telling.take(name, "own")]
         whose = thing(telling, owners[0], "possessive") if owners else ""
         said = f"{whose} {kind(telling, term)}" if whose else with_kind(telling, term)
         after.append(f"that is not {said}")
+    after += [
+        f"that is not {owned(telling, own)}" for own in telling.take(name, "own") if own.negated
+    ]
     after += [_done_to(telling, term, name) for term in _doings(telling, name)]
     after += [_done_there(telling, loc) for loc in _places_of(telling, name)]
     after += [_at_it(telling, term) for term in _own_doings(telling, name)]
@@ -230,7 +243,7 @@ def _first(telling: Telling, term: Term) -> str:
         return proper(word(term))
     if (ref in (*PRONOUNS, *GROUPS) or ref == "somebody") and not described(telling, name):
         return ref
-    denied = any(kind.negated for kind in telling.about(name, "ako"))  # "that is not my dad"
+    denied = any(said.negated for said in telling.about(name, "ako", "own"))  # "that is not my dad"
     owners = [] if denied else [linked(own, "of") for own in telling.take(name, "own")]
     whose = thing(telling, owners[0], "possessive") if owners else ""
     bare = (
