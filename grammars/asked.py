@@ -11,13 +11,15 @@ from typing import Final
 
 from grammars.alist import AList
 from grammars.alternatives import one_each
-from grammars.build import Build, NoMeaningError, particles
+from grammars.build import Build, NoMeaningError
 from grammars.clauses import clause
 from grammars.comparing import regarding, seen_from_robot
 from grammars.mentions import PLACES
 from grammars.mutual import each_other
+from grammars.relatives import predicate
 from grammars.render.telling import SAYING
 from grammars.topics import DEEDS, does_so
+from grammars.usage import particles
 from grammars.vocabulary import BORN
 
 YOU: Final = AList("np", (AList("pron", value="you"),))
@@ -212,7 +214,7 @@ def _somebody(build: Build, asks: AList, bound: str) -> None:
 def _state(build: Build, asks: AList, who: str) -> str:
     """What somebody or something is, has or does all the time."""
     if (pred := asks.find("pred")) is not None:
-        return build.predicate(who, pred, negated=False)
+        return predicate(build, who, pred, negated=False)
     if (topmost := asks.find("topmost")) is not None:
         hq = build.quality(who, topmost)
         if (mark := topmost.find("np")) is not None:
@@ -260,7 +262,7 @@ def _existing(build: Build, exist: AList) -> str:
     if (loc := exist.find("loc")) is not None:
         return build.place("loc", thing, loc)
     pred = exist.find("pred")
-    return thing if pred is None else build.predicate(thing, pred, negated=False)
+    return thing if pred is None else predicate(build, thing, pred, negated=False)
 
 
 def fill(build: Build, act: str, thing: str, strand: str, asks: AList) -> None:

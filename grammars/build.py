@@ -11,7 +11,6 @@ from grammars.chains import (
     bare_chain,
     is_odd,
     one_by_one,
-    particles,
     plays,
     that_too,
     turned,
@@ -32,14 +31,14 @@ from grammars.mentions import (
     somebody,
 )
 from grammars.pacing import count, in_a_while, spaced, waited, whole
-from grammars.sorts import is_attribute, kind, usages
+from grammars.sorts import classes, is_attribute, kind, usages
 from grammars.things import Things
-from grammars.usage import is_used, put_nowhere
+from grammars.usage import is_used, particles, put_nowhere
 from kernel.action.chain import Chain, Directive, Play
 from kernel.memory.editing import OTHER_WAY
 from kernel.net.graphlet import Graphlet
 
-__all__ = ["Build", "NoMeaningError", "particles"]
+__all__ = ["Build", "NoMeaningError"]
 
 WONDERS: Final = {"what_like": "hq", "what_kind": "ako", "whereabout": "loc"}
 UNQUOTED: Final = frozenset("it them that this at to from for along out".split())
@@ -75,7 +74,9 @@ class Build(Things):
         if (every := action.find("every")) is not None and (every.parts or verb not in LETTING_GO):
             links["obj"] = self.every(every)
         if (obj := action.find("np")) is not None:
+            self.grasping = action.slot("act") in classes()["grasping"]
             links["obj"] = self.thing(obj)
+            self.grasping = False
             self.topic = links["obj"] if self.trigger else self.topic
         if (where := action.find("whereis")) is not None:
             links["obj"] = self.whereabouts(where)

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from functools import cache
 from itertools import pairwise
 from typing import TYPE_CHECKING, Final, TypeVar
 
@@ -12,8 +11,8 @@ from grammars.clauses import clause, condition, names
 from grammars.errors import NoMeaningError
 from grammars.mentions import somebody
 from grammars.pacing import HOLDING, TIMES, count, paced, whole
-from grammars.usage import is_odd_end
-from grammars.vocabulary import BORN, lines
+from grammars.usage import is_odd_end, particles
+from grammars.vocabulary import BORN
 from grammars.ways import TURNERS
 from kernel.action.chain import Chain, Directive, Loop, Part, Play
 from kernel.net.graphlet import Graphlet, Term
@@ -27,17 +26,6 @@ TURNS: Final = frozenset(("left", "right", "clockwise", "counterclockwise", "aro
 TURNING: Final = TURNERS | {"roll"}
 FRACTIONS: Final = {"quarter": 0.25, "half": 0.5}
 LIFTS: Final = {"up": "raise", "down": "lower"}
-
-
-@cache
-def particles() -> dict[str, tuple[str, str]]:
-    """Verb, or verb and particle, to lexical item and direction ("" for none)."""
-    table: dict[str, tuple[str, str]] = {}
-    for line in lines("particles"):
-        said, _, meant = line.partition("=")
-        verb, _, way = meant.strip().partition(" ")
-        table[said.strip()] = (verb, way) if meant else (said.strip(), "")
-    return table
 
 
 def is_odd(action: AList) -> bool:

@@ -8,6 +8,7 @@ from grammars.alist import AList
 from grammars.comparing import seen_from_robot
 from grammars.errors import NoMeaningError
 from grammars.mentions import VERB_SLOTS
+from grammars.relatives import predicate
 from grammars.sorts import classes, is_abstract, is_kind_of_it, kind, may_be_called, usages
 from grammars.timing import it_is, tells_time, timed
 from grammars.usage import TIMES_OF_DAY, put_nowhere
@@ -96,7 +97,7 @@ def clause(build: Build, part: AList, subject: str = "", topical: bool = False) 
     negated = negated or build.negative
     if (pred := part.find("pred")) is not None:
         before = len(build.board)
-        main = build.predicate(agent, pred, negated)
+        main = predicate(build, agent, pred, negated)
         said = build.board[before:]
         build.claims.update(n for n in said if ("hq", agent) in build.sketch.terms[n].links)
         return main
@@ -111,6 +112,8 @@ def clause(build: Build, part: AList, subject: str = "", topical: bool = False) 
     if (listener := part.find("listener")) is not None and listener.parts:
         asked = build.thing(listener, person=True)
         return build.add("act", "ask", agt=agent, dest=asked, negated=negated)
+    if part.slot("quote").lower() == "so" or (part.has("able") and not _is_sensing(part)):
+        raise NoMeaningError(str(part))  # "unless I say so"
     if part.has("quote"):
         txt = build.add("txt", literal=part.slot("quote"))
         return build.add("act", "say", agt=agent, obj=txt)
@@ -147,6 +150,11 @@ def _subject(build: Build, np: AList, part: AList) -> str:
     if np.slot("pron") == "it" and names(part):
         return build.pronoun("they")
     return build.thing(np)
+
+
+def _is_sensing(part: AList) -> bool:
+    """What one can see is seen."""
+    return part.slot("does") in SENSED
 
 
 def _is_hour(pred: AList | None) -> bool:

@@ -8,7 +8,7 @@ from typing import Final
 from grammars.alist import AList
 from grammars.errors import NoMeaningError
 from grammars.morphology import gerund
-from grammars.sorts import is_abstract, is_bare, is_nothing, is_people, kind
+from grammars.sorts import classes, is_abstract, is_bare, is_nothing, is_people, kind
 from grammars.usage import TIMES_OF_DAY
 from grammars.vocabulary import BORN
 
@@ -107,6 +107,12 @@ class Thing:
             return not self.person and not self.called
         wrong = _MALE if pronoun in OF_WOMEN else _FEMALE
         return self.person and not {self.kind, self.called} & wrong
+
+
+def unlikely(thing: Thing, topic: str, grasping: bool) -> tuple[bool, bool, bool]:
+    """How little it is what is spoken of, after how new it is: the robot grasps no part of its own, what a sentence is
+    about is taken up again, landmarks are not."""
+    return (grasping and thing.kind in classes()["parts"], thing.name != topic, thing.aside)
 
 
 def degree(said: str) -> str:

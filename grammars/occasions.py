@@ -10,6 +10,7 @@ from grammars.alist import AList
 from grammars.asked import YOU, drawn
 from grammars.build import Build, NoMeaningError
 from grammars.clauses import stated
+from grammars.relatives import predicate
 from kernel.memory.meaning import Ask, Question
 from kernel.net.graphlet import Graphlet
 
@@ -56,7 +57,7 @@ def either_so(build: Build, body: AList) -> Question:
     """ "Is the gripper open or closed": both are drawn, and one of them is so."""
     np = body.find("np") or YOU
     who = build.thing(np)
-    mains = [build.predicate(who, pred, negated=False) for pred in body.all("pred")]
+    mains = [predicate(build, who, pred, negated=False) for pred in body.all("pred")]
     mains += [build.place("loc", who, loc) for loc in body.all("loc")]
     if any(build.sketch.terms[name].kind == "obj" for name in mains):  # "are you Tim or Oscar"
         raise NoMeaningError(str(body))

@@ -1,15 +1,15 @@
-"""Relative clauses and what else narrows a thing down, into nets."""
+"""What is said of a thing, and relative clauses and what else narrows one down, into nets."""
 
 from __future__ import annotations
 
 from typing import TYPE_CHECKING, Final
 
 from grammars.alist import AList
-from grammars.chains import particles
+from grammars.comparing import comparison
 from grammars.errors import NoMeaningError
 from grammars.mentions import PLACES, VERB_SLOTS, compounded, is_time
-from grammars.sorts import is_bare, is_kind_of_it, kind, usages
-from grammars.usage import PUTTING
+from grammars.sorts import is_bare, is_kind_of_it, kind, may_regard, usages
+from grammars.usage import PUTTING, particles
 
 if TYPE_CHECKING:
     from grammars.things import Things
@@ -29,7 +29,7 @@ def relative(build: Things, name: str, np: AList, rel: AList) -> None:
             raise NoMeaningError(str(rel))
         if pred.has("isname"):
             raise NoMeaningError(str(rel))  # "the block that is Janey"
-        build.predicate(name, pred, rel.has("neg"))
+        predicate(build, name, pred, rel.has("neg"))
     elif (made := rel.find("made_of")) is not None:
         build.quality(name, made)
     elif (owner := rel.find("owner_of", "of_owner")) is not None:
@@ -37,7 +37,7 @@ def relative(build: Things, name: str, np: AList, rel: AList) -> None:
     elif (loc := rel.find("loc")) is not None and loc.slot("prep") in LEADING:
         raise NoMeaningError(str(rel))
     elif any(map(rel.has, ("loc", "side", "compared", "hereabouts"))):
-        build.predicate(name, rel, negated=False)
+        predicate(build, name, rel, negated=False)
     elif any(rel.has(part) for part in ("going", "has_it", "habit", "habit_s")):
         _doing(build, name, rel)
     elif (seen := rel.find("seen_by")) is not None and _may_be_told_apart(np):
@@ -106,6 +106,47 @@ def _doing(build: Things, name: str, rel: AList) -> None:
         raise NoMeaningError(str(rel))  # "the block that thanks"
     act = build.add("act", "have" if rel.has("has_it") else verb, **links)
     build.modifiers(act, going)
+
+
+def predicate(build: Things, name: str, pred: AList, negated: bool) -> str:
+    """Say something of a thing; the node of the predicate."""
+    if (made := pred.find("made_of")) is not None:
+        return build.quality(name, made, negated)
+    if pred.has("qual"):
+        if not may_regard(pred):
+            raise NoMeaningError(str(pred))
+        main, *_ = [build.quality(name, part, negated) for part in pred.all("qual")]
+        if (about := pred.find("loc")) is not None:  # "afraid of dogs"
+            build.place("loc", main, about)
+        return main
+    if (kindof := pred.find("kindof")) is not None:
+        return kind_of(build, name, kindof, negated)
+    if (loc := pred.find("loc")) is not None:
+        return build.place("loc", name, loc, negated)
+    if (side := pred.find("side")) is not None:
+        return build.add("loc", side.slot("dir") or side.value or "", loc=name, negated=negated)
+    if (compared := pred.find("compared")) is not None:
+        return comparison(build, name, compared, negated)
+    if (called := pred.find("isname")) is not None:
+        if build.sketch.terms[name].lex & {"you", "me"}:  # "if you are idle"
+            return build.add("hq", called.slot("name"), hq=name, negated=negated)
+        if negated or build.sketch.terms[name].lex:  # it would be told that it is; "Mary is Mary"
+            raise NoMeaningError(str(pred))
+        build.sketch.change(name, lex=frozenset((called.slot("name"),)))
+        return build.put(name)
+    if (measured := pred.find("measured")) is not None:  # "3 meters long"
+        hq = build.quality(name, measured, negated)
+        build.add(
+            "amt", measured.slot("unit").removesuffix("s"), literal=measured.slot("num"), amt=hq
+        )
+        return hq
+    if here := pred.slot("hereabouts"):
+        return build.add("loc", here, loc=name, negated=negated)
+    if pred.has("here"):
+        return build.add("loc", "in front of", loc=name, wrt=build.oneself("you"), negated=negated)
+    if (belongs := pred.find("belongs")) is not None:
+        return build.owned(name, belongs, negated)
+    raise NoMeaningError(str(pred))
 
 
 def kind_of(build: Things, name: str, kindof: AList, negated: bool) -> str:

@@ -13,7 +13,6 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from grammars.alist import AList
-from grammars.comparing import comparison
 from grammars.errors import NoMeaningError
 from grammars.mentions import (
     ALIKE,
@@ -33,10 +32,11 @@ from grammars.mentions import (
     is_group,
     is_person,
     place_word,
+    unlikely,
     with_apposed,
 )
-from grammars.relatives import kind_of, relative
-from grammars.sorts import EITHER, agrees, is_graded, is_nothing, is_superlative, kind, may_regard
+from grammars.relatives import relative
+from grammars.sorts import EITHER, agrees, is_graded, is_nothing, is_superlative, kind
 from grammars.vocabulary import BORN
 from kernel.memory.recall import PERSONS
 from kernel.net.graphlet import Graphlet, Sketch, Term
@@ -57,6 +57,7 @@ class Things:
         trigger: the pattern is what a deed is matched with: "somebody" may be anything there, as nobody need have
             said that Mary is a person before "greet Mary" greets somebody.
         claims: predicates of the conditions.
+        grasping: what is spoken of is taken in the hand.
         topic: subject of the sentence's first condition, or object of the deed that triggers.
     """
 
@@ -69,6 +70,7 @@ class Things:
     telling: bool = False
     trigger: bool = False
     topic: str = ""
+    grasping: bool = False
     claims: set[str] = field(default_factory=set)
 
     @contextmanager
@@ -138,7 +140,7 @@ class Things:
         fitting = [thing for thing in newest if thing.may_be(word) and word != "we"]
         if not fitting and not personal and word != "we":  # "if a baby is crying, rock it"
             fitting = [thing for thing in newest if not thing.called]
-        for thing in sorted(fitting, key=lambda thing: (thing.name != self.topic, thing.aside)):
+        for thing in sorted(fitting, key=lambda one: unlikely(one, self.topic, self.grasping)):
             thing.person = thing.person or personal
             return thing.name
         ref = ALIKE.get(word, word)
@@ -249,50 +251,6 @@ class Things:
         if owner.name == "of_owner" and not (is_person(whose) or is_definite(whose)):
             raise NoMeaningError(str(owner))
         return self.add("own", own=name, of=self.thing(whose, person=True), negated=negated)
-
-    def predicate(self, name: str, pred: AList, negated: bool) -> str:
-        """Say something of a thing; the node of the predicate."""
-        if (made := pred.find("made_of")) is not None:
-            return self.quality(name, made, negated)
-        if pred.has("qual"):
-            if not may_regard(pred):
-                raise NoMeaningError(str(pred))
-            main, *_ = [self.quality(name, part, negated) for part in pred.all("qual")]
-            if (about := pred.find("loc")) is not None:  # "afraid of dogs"
-                self.place("loc", main, about)
-            return main
-        if (kindof := pred.find("kindof")) is not None:
-            return kind_of(self, name, kindof, negated)
-        if (loc := pred.find("loc")) is not None:
-            return self.place("loc", name, loc, negated)
-        if (side := pred.find("side")) is not None:
-            return self.add("loc", side.slot("dir") or side.value or "", loc=name, negated=negated)
-        if (compared := pred.find("compared")) is not None:
-            return comparison(self, name, compared, negated)
-        if (called := pred.find("isname")) is not None:
-            if self.sketch.terms[name].lex & {"you", "me"}:  # "if you are idle"
-                return self.add("hq", called.slot("name"), hq=name, negated=negated)
-            if (
-                negated or self.sketch.terms[name].lex
-            ):  # it would be told that it is; "Mary is Mary"
-                raise NoMeaningError(str(pred))
-            self.sketch.change(name, lex=frozenset((called.slot("name"),)))
-            return self.put(name)
-        if (measured := pred.find("measured")) is not None:  # "3 meters long"
-            hq = self.quality(name, measured, negated)
-            self.add(
-                "amt", measured.slot("unit").removesuffix("s"), literal=measured.slot("num"), amt=hq
-            )
-            return hq
-        if here := pred.slot("hereabouts"):
-            return self.add("loc", here, loc=name, negated=negated)
-        if pred.has("here"):
-            return self.add(
-                "loc", "in front of", loc=name, wrt=self.oneself("you"), negated=negated
-            )
-        if (belongs := pred.find("belongs")) is not None:
-            return self.owned(name, belongs, negated)
-        raise NoMeaningError(str(pred))
 
     def place(self, role: str, name: str, loc: AList, negated: bool = False) -> str:
         """Say where something is or is done; the node of that."""

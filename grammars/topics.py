@@ -7,6 +7,7 @@ from typing import Final
 from grammars.alist import AList
 from grammars.build import Build
 from grammars.clauses import clause, condition
+from grammars.relatives import predicate
 from kernel.memory.meaning import Ask, Question
 from kernel.net.graphlet import Graphlet
 
@@ -78,7 +79,7 @@ def _about(build: Build, body: AList) -> Graphlet:
         return build.graphlet(act)
     if (pred := body.find("pred")) is not None:
         thing = build.thing(body.first("np"))
-        return build.graphlet(build.predicate(thing, pred, negated=body.has("neg")))
+        return build.graphlet(predicate(build, thing, pred, negated=body.has("neg")))
     if (np := body.find("np")) is not None:
         thing = build.thing(np)
         if (teller := body.find("teller")) is not None:

@@ -7,6 +7,7 @@ is in no class, and so every verb that is taught, is used in any way.
 
 from __future__ import annotations
 
+from functools import cache
 from typing import Final
 
 from grammars.alist import AList
@@ -24,6 +25,7 @@ from grammars.sorts import (
     persons_own,
     usages,
 )
+from grammars.vocabulary import lines
 from grammars.ways import BACKING, WAYS, is_somewhere
 
 # "Go out the door": what stands behind them is the way.
@@ -45,6 +47,17 @@ AMBIENT: Final = frozenset("late early dark sunny cloudy windy foggy".split())
 SUBJECTS: Final = ("you", "i", "he", "she", "they")
 
 PUTTING: Final = ("put", "place", "lay", "set", "stack", "put down", "set down", "lay down")
+
+
+@cache
+def particles() -> dict[str, tuple[str, str]]:
+    """Verb, or verb and particle, to lexical item and direction ("" for none)."""
+    table: dict[str, tuple[str, str]] = {}
+    for line in lines("particles"):
+        said, _, meant = line.partition("=")
+        verb, _, way = meant.strip().partition(" ")
+        table[said.strip()] = (verb, way) if meant else (said.strip(), "")
+    return table
 
 
 def is_used(action: AList, verb: str, pattern: bool) -> bool:

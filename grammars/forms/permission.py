@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from grammars.alist import AList
-from grammars.build import Build
+from grammars.build import Build, NoMeaningError
 from grammars.clauses import enablement, exception
 from grammars.registry import sentence_form
 from grammars.timing import by_time
@@ -25,6 +25,8 @@ EXAMPLES = (
 def permission(alist: AList) -> Teach:
     """An exception to what is forbidden."""
     build = Build()
+    if alist.has("is_fine") and any(part.has("speech") for part in alist.all("action")):
+        raise NoMeaningError("a question to be asked")  # "ask Mary if she is okay"
     first = alist.parts[0].name == "conds"
     before = enablement(build, alist) if first else ()
     deed, times = by_time(build, _once_more(alist.first("action", "gerunding")))

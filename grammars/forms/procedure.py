@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Final
+
 from grammars.alist import AList
 from grammars.build import Build, NoMeaningError
 from grammars.clauses import condition
@@ -11,6 +13,8 @@ from kernel.action.chain import Chain, Directive
 from kernel.memory.lesson import Operator
 from kernel.memory.meaning import Teach
 
+# No names for deeds: "turn left when I tell you to".
+NO_NAMES: Final = ("to", "so", "that")
 EXAMPLES = (
     "To cha-cha drive forward then drive backwards",
     "To run away, you could drive backward.",
@@ -40,6 +44,8 @@ def procedure(alist: AList) -> Teach:
         with build.drawing(pattern=True):
             return _taught(build, alist, Directive("FIND", build.graphlet(build.thing(sought))))
     with build.drawing(pattern=True, trigger=True):
+        if said is not None and said.slot("quote").lower() in NO_NAMES:
+            raise NoMeaningError(str(said))  # "turn left when I tell you to"
         if said is not None:
             act = build.add("act", said.slot("quote").lower())
         else:

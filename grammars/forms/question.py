@@ -13,6 +13,7 @@ from grammars.clauses import clause
 from grammars.mentions import compounded
 from grammars.occasions import either_so, occasional, on_occasion
 from grammars.registry import sentence_form
+from grammars.relatives import predicate
 from grammars.sorts import kind
 from grammars.topics import may_be_about, of_topic
 from grammars.wanted import (
@@ -215,7 +216,7 @@ def _howmany(build: Build, body: AList) -> Question:
     if ask != "howmany":
         raise NoMeaningError(str(body))
     pred = body.find("pred")
-    main = thing if pred is None else build.predicate(thing, pred, negated=False)
+    main = thing if pred is None else predicate(build, thing, pred, negated=False)
     return Question(ask, build.graphlet(main), wanted)
 
 

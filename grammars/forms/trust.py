@@ -9,7 +9,7 @@ from __future__ import annotations
 from grammars.alist import AList
 from grammars.build import Build, NoMeaningError
 from grammars.clauses import exception, told
-from grammars.mentions import is_person, may_be_person
+from grammars.mentions import PERSONAL, is_person, may_be_person
 from grammars.registry import sentence_form
 from kernel.action.chain import Chain, Directive, Play
 from kernel.memory.lesson import LEARN, Operator
@@ -36,7 +36,9 @@ def trust(alist: AList) -> Teach:
     exception instead. Who may tell it is permitted to."""
     build = Build()
     order = alist.find("ordered", "ordering") or alist
-    speaker = order.find("np") or alist.first("np")
+    speaker = order.find("np", "base_np") or alist.first("np", "base_np")
+    if speaker.slot("pron") in PERSONAL and (named := alist.find("np")) is not None:
+        speaker = named  # "ignore Tom when he tells you to grab it"
     if not is_person(speaker) and (alist.has("heed") or not may_be_person(speaker)):
         raise NoMeaningError("nobody who could give orders")
     with build.drawing(pattern=True, trigger=True):

@@ -5,13 +5,13 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Final
 
-from grammars.build import particles
 from grammars.hedges import PREFERENCE
 from grammars.render.clauses import conditions, wonder, wonders
 from grammars.render.deeds import deed
 from grammars.render.procedures import claimed, procedure, without
 from grammars.render.telling import Telling, Voice, linked, word
 from grammars.render.things import literally, pronoun, thing
+from grammars.usage import particles
 from grammars.vocabulary import BORN
 from kernel.memory.lesson import LEARN, Operator
 from kernel.net.graphlet import Graphlet, Term
