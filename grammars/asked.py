@@ -257,10 +257,8 @@ def _existing(build: Build, exist: AList) -> str:
     thing = build.thing(np)
     if number := exist.slot("num"):
         build.add("cnt", literal=number, cnt=thing)
-    if here := exist.slot("hereabouts"):
-        return build.add("loc", here, loc=thing)
-    if (loc := exist.find("loc")) is not None:
-        return build.place("loc", thing, loc)
+    if exist.has("hereabouts") or exist.has("loc"):
+        return predicate(build, thing, exist, negated=False)
     pred = exist.find("pred")
     return thing if pred is None else predicate(build, thing, pred, negated=False)
 

@@ -5,8 +5,9 @@ from __future__ import annotations
 from typing import Final
 
 from grammars.alist import AList
-from grammars.build import NoMeaningError, particles
+from grammars.build import NoMeaningError
 from grammars.registry import sentence_form
+from grammars.usage import particles
 from grammars.vocabulary import BORN
 from kernel.memory.lesson import Rule
 from kernel.memory.meaning import Teach
