@@ -18,7 +18,7 @@ from grammars.chains import (
 )
 from grammars.clauses import flat, names, stated
 from grammars.errors import NoMeaningError
-from grammars.manners import SIZES, bounded, manner, not_too, resulting, unit_of
+from grammars.manners import SIZES, bounded, limited, manner, not_too, resulting, unit_of
 from grammars.mentions import (
     OWNING,
     SELF_OWN,
@@ -34,6 +34,7 @@ from grammars.pacing import count, in_a_while, spaced, waited, whole
 from grammars.sorts import classes, is_attribute, kind, usages
 from grammars.things import Things
 from grammars.usage import is_used, particles, put_nowhere
+from grammars.vocabulary import BORN
 from kernel.action.chain import Chain, Directive, Play
 from kernel.memory.editing import OTHER_WAY
 from kernel.net.graphlet import Graphlet
@@ -83,6 +84,8 @@ class Build(Things):
         if (iobj := action.find("iobj")) is not None:
             links["dest"] = self.thing(iobj.first("np"), person=True)
         if (dest := action.find("dest")) is not None:
+            if dest.has("whither") and "GIVE" in BORN.readings(verb):
+                raise NoMeaningError(str(action))  # "show Mary where the hat is" shows its place
             every = dest.find("every")
             links["dest"] = self.aside(dest.first("np")) if every is None else self.every(every)
         act = self.add("act", verb, **links)
@@ -147,7 +150,7 @@ class Build(Things):
                 amt = self.add("amt", unit_of(part), literal=number, amt=act)
                 bounded(self, amt, part)
             elif part.name == "cnt":
-                self.add("cnt", literal=count(part), cnt=act)
+                self.add("cnt", literal=limited(self, part, count(part)), cnt=act)
             elif part.name == "in_a_while":
                 raise NoMeaningError(str(action))  # together with something else, or as a trigger
             elif part.name == "counting_up" and "count" in self.sketch.terms[act].lex:

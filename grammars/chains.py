@@ -217,6 +217,13 @@ def bare_chain(bare: AList) -> AList:
     plays = []
     for part in bare.all("barely"):
         parts = part.parts or (AList("dir", value=part.value),)
+        if (deeds := part.find("deeds_in_all")) is not None:  # "two turns to the left"
+            if "UNIT" in BORN.readings(deeds.slot("act")):  # "ten inches left"
+                raise NoMeaningError(str(part))
+            times = AList("cnt", tuple(deeds.all("num")))
+            done = tuple(deeds.all("act", "dir"))
+            plays.append(AList("play", (AList("action", (*done, times)),)))
+            continue
         ahead = next((p.value for p in parts if p.name == "dir"), None)
         way = "up" if part.find("higher") is not None else (ahead or "")
         unit = parts[0].slot("unit") if parts[0].name == "amt" else ""

@@ -81,8 +81,9 @@ def clause(build: Build, part: AList, subject: str = "", topical: bool = False) 
     if (all_so := part.find("all_so")) is not None:
         return _all_so(build, all_so)
     if part.has("speaking"):  # "without saying goodbye"
+        who = build.oneself("you")
         act = build.action(part)
-        build.sketch.link(act, "agt", build.oneself("you"))
+        build.sketch.link(act, "agt", who)
         return act
     objects = part.all("np", "base_np")
     if subject:
@@ -111,7 +112,8 @@ def clause(build: Build, part: AList, subject: str = "", topical: bool = False) 
         return build.add("act", "ask", agt=agent, obj=build.whereabouts(where))
     if (listener := part.find("listener")) is not None and listener.parts:
         asked = build.thing(listener, person=True)
-        return build.add("act", "ask", agt=agent, dest=asked, negated=negated)
+        verb = "tell" if part.has("tell") else "ask"
+        return build.add("act", verb, agt=agent, dest=asked, negated=negated)
     if part.slot("quote").lower() == "so" or (part.has("able") and not _is_sensing(part)):
         raise NoMeaningError(str(part))  # "unless I say so"
     if part.has("quote"):
@@ -214,7 +216,7 @@ def _doing(build: Build, part: AList, agent: str, objects: list[AList], negated:
     if objects and build.telling and "telling" not in usages(verb) and is_abstract(objects[0]):
         raise NoMeaningError(str(part))
     if objects:
-        links["dest" if verb == "ask" else "obj"] = build.thing(objects[0])
+        links["dest" if verb in ("ask", "tell") else "obj"] = build.thing(objects[0])
     elif body.has("name"):
         links["obj"] = build.thing(body, person=False)
     if (iobj := body.find("iobj")) is not None:
@@ -222,7 +224,8 @@ def _doing(build: Build, part: AList, agent: str, objects: list[AList], negated:
             raise NoMeaningError(str(part))
         links["dest"] = build.thing(iobj.first("np"), person=True)
     if (dest := body.find("dest")) is not None:
-        if dest.has("every"):
+        telling = verb in ("ask", "tell") or "GIVE" in BORN.readings(verb)
+        if dest.has("every") or (telling and dest.has("whither")):
             raise NoMeaningError(str(dest))
         links["dest"] = build.aside(dest.first("np"))
     act = build.add("act", verb, negated=negated or build.negative, **links)

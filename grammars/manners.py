@@ -53,6 +53,14 @@ def bounded(build: Things, amt: str, said: AList) -> None:
         build.add("deg", bound, deg=amt)
 
 
+def limited(build: Things, cnt: AList, number: str) -> str:
+    """How many times; "more than three times" is a comparison, and no number to do something."""
+    bound = next((word for name, word in COMPARED.items() if cnt.has(name)), "")
+    if cnt.has("up_to") or (bound and not build.pattern):
+        raise NoMeaningError(str(cnt))
+    return f"{bound} {number}".strip()
+
+
 def unit_of(amt: AList) -> str:
     """Inch; "inch per second"."""
     unit = amt.slot("unit") or amt.value or ""

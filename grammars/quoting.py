@@ -59,6 +59,7 @@ def _swallows(tokens: Sequence[Token], derive: Derive) -> bool:
     """It runs on over a condition: "say hi unless Mary is near" says no such thing."""
     return any(
         token.piece.text in NEVER_SAID
+        or (token.piece.text in CONDITIONALS and tokens[at - 1].piece.text == "and")
         or (
             token.piece.text in OCCASIONS
             and (

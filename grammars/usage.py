@@ -108,7 +108,7 @@ def _is_upon_nothing(action: AList) -> bool:
 
 def _lacks(action: AList, obj: AList | None, uses: frozenset[str]) -> bool:
     """Nobody is told to "make", or to "make it" and no more, or to "grab behind the chair"."""
-    said = obj is not None or action.has("every")
+    said = obj is not None or action.has("every") or action.has("whereis")
     making = obj is not None and (
         obj.has("pron")
         or obj.has("name")

@@ -5,8 +5,10 @@ from __future__ import annotations
 from grammars.alist import AList
 from grammars.build import Build, NoMeaningError
 from grammars.chains import bare_chain
+from grammars.mentions import is_definite
 from grammars.registry import sentence_form
 from grammars.ways import is_way
+from kernel.action.chain import Chain
 from kernel.memory.meaning import Command
 
 EXAMPLES = (
@@ -49,7 +51,24 @@ def command(alist: AList) -> Command:
     bare = alist.find("bare")
     if bare is not None and not is_way(bare):
         raise NoMeaningError("no way to go")
+    if (topic := alist.find("topic")) is not None:
+        return Command(_upon(build, topic, alist.first("chain")))
     return Command(build.chain(alist.first("chain") if bare is None else bare_chain(bare)))
+
+
+def _upon(build: Build, topic: AList, chain: AList) -> Chain:
+    """What is done to what was named first: "the red cup, pick it up"."""
+    np = AList("np", topic.parts)
+    if not is_definite(np):
+        raise NoMeaningError(str(topic))
+    with build.drawing(pattern=False):
+        name = build.thing(np)
+    made = build.chain(chain)
+    if not any(
+        name in d.graphlet.mentioned for d in made.directives() if d.graphlet and d.tag != "FIND"
+    ):
+        raise NoMeaningError(str(topic))
+    return made
 
 
 def _is_advice(speech: AList) -> bool:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Final
 
 from grammars.alist import AList
-from grammars.build import Build, NoMeaningError
+from grammars.build import UNQUOTED, Build, NoMeaningError
 from grammars.clauses import condition
 from grammars.hedges import preference
 from grammars.registry import sentence_form
@@ -47,6 +47,9 @@ def procedure(alist: AList) -> Teach:
         if said is not None and said.slot("quote").lower() in NO_NAMES:
             raise NoMeaningError(str(said))  # "turn left when I tell you to"
         if said is not None:
+            first = said.slot("quote").partition(" ")[0]
+            if first == "so" or (alist.has("cried") and first in UNQUOTED):
+                raise NoMeaningError(str(said))  # "if I call for help"
             act = build.add("act", said.slot("quote").lower())
         else:
             act = build.action(alist.first("action", "gerunding"))

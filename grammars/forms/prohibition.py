@@ -6,6 +6,7 @@ from grammars.alist import AList
 from grammars.build import Build, NoMeaningError
 from grammars.clauses import enablement, exception
 from grammars.registry import sentence_form
+from grammars.sorts import kind, usages
 from grammars.timing import by_time
 from grammars.triggers import settled
 from kernel.action.chain import Chain, Directive, Play
@@ -31,7 +32,8 @@ EXAMPLES = (
 def prohibition(alist: AList) -> Teach:
     """A veto on an action, with what to do instead, when it holds and when it does not."""
     build = Build()
-    first = next(part.name for part in alist if part.name in ("action", "gerunding", "np", "conds"))
+    deeds = ("action", "not_one", "gerunding", "np", "conds")
+    first = next(part.name for part in alist if part.name in deeds)
     before = enablement(build, alist) if first == "conds" else ()
     deed, times = by_time(build, _done(alist))
     with build.drawing(pattern=True, trigger=True):
@@ -60,6 +62,11 @@ def _done(alist: AList) -> AList:
     """The deed; of "the vase must not be touched" too. What is kept away from is not done, but gone to."""
     if alist.has("keep_off"):
         return alist.first("np")
+    if (single := alist.find("not_one")) is not None:
+        touched = single.first("np")
+        if not kind(touched) and "taking" not in usages(single.slot("act")):
+            raise NoMeaningError(str(single))  # "fear nothing"
+        return AList("action", single.parts)
     if (verb := alist.find("done_to", "none_to")) is None and not alist.has("off"):
         return alist.first("action", "gerunding")
     np = alist.first("np")

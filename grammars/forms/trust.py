@@ -6,6 +6,8 @@ telling it came from.
 
 from __future__ import annotations
 
+from typing import Final
+
 from grammars.alist import AList
 from grammars.build import Build, NoMeaningError
 from grammars.clauses import exception, told
@@ -29,6 +31,8 @@ EXAMPLES = (
     "never lower the lift unless Mary tells you to",
 )
 
+_ANYBODY: Final = AList("np", (AList("vague", value="somebody"),))
+
 
 @sentence_form("trust", "permission", EXAMPLES)
 def trust(alist: AList) -> Teach:
@@ -36,7 +40,8 @@ def trust(alist: AList) -> Teach:
     exception instead. Who may tell it is permitted to."""
     build = Build()
     order = alist.find("ordered", "ordering") or alist
-    speaker = order.find("np", "base_np") or alist.first("np", "base_np")
+    speaker = _ANYBODY if order.has("anybody_does") else order.find("np", "base_np")
+    speaker = speaker or alist.first("np", "base_np")
     if speaker.slot("pron") in PERSONAL and (named := alist.find("np")) is not None:
         speaker = named  # "ignore Tom when he tells you to grab it"
     if not is_person(speaker) and (alist.has("heed") or not may_be_person(speaker)):

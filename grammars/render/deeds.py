@@ -37,7 +37,19 @@ _APPROXIMATE: Final = ("around", "about")
 _LEADING: Final = ("out", "in", "inside", "off", "over", "down", "up")
 BOUNDED: Final = {">": "over ", "<": "under "}
 # They stand before a particle: "put it back".
-_PRONOUNS: Final = [["it"], ["them"], ["him"], ["her"], ["me"], ["you"], ["that"], ["this"]]
+_PRONOUNS: Final = [
+    ["it"],
+    ["yourself"],
+    ["myself"],
+    ["them"],
+    ["him"],
+    ["her"],
+    ["me"],
+    ["you"],
+    ["that"],
+    ["this"],
+]
+_YOURSELF: Final = {"teacher": "yourself", "robot": "myself"}
 _COUNTS: Final = {"1": "once", "2": "twice"}
 _KNOWN_ROLES: Final = ("agt", "obj", "dest", "cmd")
 
@@ -65,7 +77,8 @@ def deed(telling: Telling, name: str, form: VerbForm = "base", told: bool = Fals
 def _arguments(telling: Telling, term: Term, told: bool) -> list[str]:
     obj, dest, cmd = (linked(term, role) for role in ("obj", "dest", "cmd"))
     parts = []
-    what = _object(telling, obj) if obj else ""
+    itself = not told and obj and telling.term(obj).lex == {"you"}
+    what = _YOURSELF[telling.voice] if itself else _object(telling, obj) if obj else ""
     if dest and word(term) in ((*_TELLING, "teach") if told else _GIVING):
         parts += [thing(telling, dest), what]
     else:
@@ -113,13 +126,17 @@ def _modifiers(telling: Telling, term: Term) -> list[str]:
         measures += [word(way) for way in telling.about(name, "dir") if word(way) in _APPROXIMATE]
     degrees = [_SIZES.get(word(size), word(size)) for size in telling.take(name, "deg")]
     manners = [degree(telling, how.name) + word(how) for how in telling.take(name, "mod")]
-    counts = [
-        _COUNTS.get(count.literal or "", f"{count.literal} times")
-        for count in telling.take(name, "cnt")
-    ]
+    counts = [_times(count.literal or "1") for count in telling.take(name, "cnt")]
     # "a little quickly" would be little of the quickness
     how = (*manners, *degrees) if manners else degrees
     return [part for part in (*places, *measures, *how, *counts) if part]
+
+
+def _times(number: str) -> str:
+    """Twice; 3 times; over 3 times."""
+    if number[:1] in BOUNDED:
+        return f"{BOUNDED[number[:1]]}{number[1:].strip()} times"
+    return _COUNTS.get(number, f"{number} times")
 
 
 def amounts(telling: Telling, name: str, verb: str = "wait") -> list[str]:

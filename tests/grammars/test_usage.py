@@ -33,7 +33,7 @@ from grammars.vocabulary import BORN, lines, with_verb
         "see bluer close fast basement",
         "drop the attitude",
         "stop Ireland",
-        "touch nothing",
+        "watch nothing",
         "ask no cup who is there",
         "speak Greta",
         "make a person",
