@@ -109,7 +109,7 @@ def _is_denied(clause: AList) -> bool:
 def _bodies(said: AList) -> Iterator[tuple[AList, ...]]:
     """Its parts, for each alternative that stands directly in it."""
     if (contrary := said.find(OTHERWISE)) is not None:
-        yield from otherwise(said, contrary)
+        yield from otherwise(said, contrary, alternatives(said.first("conds")))
         return
     rest = tuple(part for part in said if part.name != WHOLE)
     for body in (rest, *(part.parts for part in said.all(WHOLE))):

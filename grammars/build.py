@@ -34,7 +34,6 @@ from grammars.pacing import count, in_a_while, spaced, waited, whole
 from grammars.sorts import classes, is_attribute, kind, usages
 from grammars.things import Things
 from grammars.usage import is_used, particles, put_nowhere
-from grammars.vocabulary import BORN
 from kernel.action.chain import Chain, Directive, Play
 from kernel.memory.editing import OTHER_WAY
 from kernel.net.graphlet import Graphlet
@@ -84,8 +83,6 @@ class Build(Things):
         if (iobj := action.find("iobj")) is not None:
             links["dest"] = self.thing(iobj.first("np"), person=True)
         if (dest := action.find("dest")) is not None:
-            if dest.has("whither") and "GIVE" in BORN.readings(verb):
-                raise NoMeaningError(str(action))  # "show Mary where the hat is" shows its place
             every = dest.find("every")
             links["dest"] = self.aside(dest.first("np")) if every is None else self.every(every)
         act = self.add("act", verb, **links)

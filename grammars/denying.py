@@ -26,14 +26,20 @@ ONCE: Final = (
 SOME: Final = {"nothing": "something", "nobody": "somebody", "no one": "someone"}
 
 
-def otherwise(lesson: AList, contrary: AList) -> tuple[tuple[AList, ...], tuple[AList, ...]]:
+def otherwise(
+    lesson: AList, contrary: AList, ways: list[AList]
+) -> tuple[tuple[AList, ...], tuple[AList, ...]]:
     """The parts of a lesson, and those of the one that holds where its condition is not so: "if something is close
-    stop, otherwise drive forward"."""
+    stop, otherwise drive forward".
+
+    ways: its condition, once for each of its alternatives: none of them is so.
+    """
     rest = tuple(part for part in lesson if part is not contrary)
     chain, conds = lesson.find("chain"), lesson.first("conds")
     if chain is None:
         raise NoMeaningError(str(lesson))
-    turned = {chain: contrary.first("chain"), conds: denied(conds)}
+    none = AList("conds", tuple(part for way in ways for part in denied(way)))
+    turned = {chain: contrary.first("chain"), conds: none}
     return rest, tuple(turned.get(part, part) for part in rest)
 
 

@@ -25,7 +25,7 @@ from grammars.sorts import (
     persons_own,
     usages,
 )
-from grammars.vocabulary import lines
+from grammars.vocabulary import BORN, lines
 from grammars.ways import BACKING, WAYS, is_somewhere
 
 # "Go out the door": what stands behind them is the way.
@@ -82,7 +82,9 @@ def is_used(action: AList, verb: str, pattern: bool) -> bool:
         return False
     if not is_somewhere(action, obj, uses, pattern):
         return False
-    receiver = action.find("iobj")
+    dest, receiver = action.find("dest"), action.find("iobj")
+    if dest is not None and dest.has("whither") and "GIVE" in BORN.readings(verb):
+        return False  # "show Mary where the hat is" shows its place
     if receiver is not None and not all(map(may_receive, receiver.all("np"))):
         return False
     beside = [receiver, action.find("dest"), action.find("place")]

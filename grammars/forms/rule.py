@@ -43,6 +43,8 @@ def rule(alist: AList) -> Teach:
     with build.drawing(pattern=True):
         main = clause(build, said, thing)
         then = build.graphlet(main)
+    if _is_order(conclusion):
+        raise NoMeaningError("what is to be done")
     if _is_small_talk(condition_, then):
         raise NoMeaningError("small talk")
     if any(term.ref in ("he", "she", "they") for term in condition_) or _is_name(said):
@@ -67,6 +69,14 @@ def rule(alist: AList) -> Teach:
 def _is_anybody(np: AList) -> bool:
     """ "Somebody is cooking" may follow from what is about no person."""
     return np.has("vague") or (np.slot("det") == "a" and np.slot("ako") == "person")
+
+
+def _is_order(conclusion: AList | None) -> bool:
+    """ "If you see a cat, you stop": a reaction."""
+    if conclusion is None or not (conclusion.has("habit") or conclusion.has("habit_s")):
+        return False
+    told = any(conclusion.has(part) for part in ("hedge", "neg", "may"))
+    return not told and conclusion.first("np", "base_np").slot("pron") == "you"
 
 
 def _is_small_talk(condition_: Graphlet, then: Graphlet) -> bool:

@@ -50,7 +50,7 @@ def trust(alist: AList) -> Teach:
         if alist.has("teach"):
             act = build.add("act", LEARN)
         else:
-            act = build.act_or_any(alist.find("action") or order.find("action"))
+            act = build.act_or_any(alist.find("action", "gerunding") or order.find("action"))
         done = build.graphlet(act)
     with build.drawing(pattern=True, trigger=True):
         telling = build.graphlet(told(build, speaker, act))
