@@ -8,7 +8,15 @@ from typing import Final
 from grammars.alist import AList
 from grammars.errors import NoMeaningError
 from grammars.morphology import gerund
-from grammars.sorts import classes, is_abstract, is_bare, is_nothing, is_people, kind
+from grammars.sorts import (
+    classes,
+    is_abstract,
+    is_bare,
+    is_nothing,
+    is_people,
+    kind,
+    persons_own,
+)
 from grammars.usage import TIMES_OF_DAY
 from grammars.vocabulary import BORN
 
@@ -181,6 +189,8 @@ def is_addressed(verb: str, speech: AList) -> bool:
     np = None if hearer is None else hearer.find("np")
     if any(is_nothing(who) for who in (listener, np) if who is not None):
         return False
+    if np is not None and np.slot("own") == "your" and kind(np) in persons_own():
+        return False  # "say hello to your mother"
     return np is None or is_person(np) or not is_bare(np) or not BORN.knows(kind(np))
 
 

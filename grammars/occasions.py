@@ -1,5 +1,5 @@
 """Questions about what was so, or would be, on some occasion ("did you stop when I told you to", "what should you say
-when somebody sneezes"), and about which of two things is so.
+when somebody sneezes"), since when something is known, and about which of two things is so.
 """
 
 from __future__ import annotations
@@ -51,6 +51,14 @@ def on_occasion(build: Build, about: Graphlet, body: AList, occasion: AList) -> 
         teller = build.thing(occasion.find("np") or _ME, person=True)
         build.add("act", "tell", agt=teller, dest=build.oneself("you"))
     return build.graphlet(about.main)
+
+
+def since_told(build: Build, body: AList) -> Question:
+    """ "When did you learn that Tim is tall", "how long have you known that": when somebody said so."""
+    so = drawn(build, body.first("asks"))
+    if so.own and so.inner:  # "when did you find out you broke it" is about no lesson
+        raise NoMeaningError(str(body))
+    return Question("when", build.graphlet(so.main), "", "taught")
 
 
 def either_so(build: Build, body: AList) -> Question:

@@ -14,6 +14,7 @@ from typing import Any, Final
 from grammars.alist import AList
 from grammars.lattice import Token
 from grammars.source import terminal_cost
+from grammars.vocabulary import BORN
 
 MOST_READINGS: Final = 6
 # Words that build sentences: a quote without quotation marks neither starts with one nor holds several.
@@ -21,6 +22,8 @@ BUILDERS: Final = frozenset(
     "before after instead means unless until when whenever if then while than because".split()
 )
 # Nobody's quote ends with one of these: the sentence was cut off, or what follows is no new action but the rest of it.
+SAID: Final = ("it", "that", "this")
+AGAIN: Final = frozenset("again once twice and to with for like as in out while when".split())
 DANGLING: Final = frozenset(
     "the a an my your and or of if say tell when whenever unless until than because".split()
 )
@@ -172,6 +175,12 @@ def _quote(tree: Tree, text: str) -> str:
         return ""
     if (words[0] in BUILDERS and len(words) > 2) or sum(word in BUILDERS for word in words) > 1:
         return ""
-    if len(words) > 1 and words[-1] in DANGLING:
+    if len(words) > 1 and (words[-1] in DANGLING or _is_said_again(*words[:2])):
         return ""
     return re.sub(r"\s+", " ", text[pieces[0].begin : pieces[-1].end]).strip()
+
+
+def _is_said_again(first: str, second: str) -> bool:
+    """ "Say that again for the people at home", "say it with flowers": not what is to be said, but what was."""
+    beside = BORN.readings(second).keys() & {"ADV", "ADJER", "PREP", "DIR"}
+    return first in SAID and (second in AGAIN or bool(beside))

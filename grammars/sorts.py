@@ -5,6 +5,7 @@ The classes of verbs are in `words/usage.txt`, what can be neither handled nor o
 
 from __future__ import annotations
 
+import re
 from collections.abc import Sequence
 from functools import cache
 from typing import Final
@@ -12,7 +13,7 @@ from typing import Final
 from grammars.alist import AList
 from grammars.vocabulary import BORN, lines
 
-ABSTRACT_ENDINGS: Final = ("ness", "ity", "tude", "hood", "ism")
+ABSTRACT_ENDINGS: Final = ("ness", "ity", "tude", "hood", "ism", "tion", "sion")
 SHORTEST_ABSTRACT: Final = 7  # letters; a city is none
 SEVERAL: Final = ("these", "those")
 ONE: Final = ("a", "an", "another", "this", "that")
@@ -78,8 +79,9 @@ def is_abstract(np: AList) -> bool:
         return True
     if any(verb.value in LEARNED for rel in np.all("rel") for verb in rel.walk()):
         return True  # "everything you learned"
-    ending = len(said) >= SHORTEST_ABSTRACT and said.endswith(ABSTRACT_ENDINGS)
-    return said in abstract_words() or (ending and not BORN.knows(said))
+    one = said if BORN.knows(said) else re.sub("ies$", "y", said).removesuffix("s")
+    ending = len(one) >= SHORTEST_ABSTRACT and one.endswith(ABSTRACT_ENDINGS)
+    return not abstract_words().isdisjoint((said, one)) or (ending and not BORN.knows(one))
 
 
 def is_bare(np: AList) -> bool:

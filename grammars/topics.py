@@ -111,3 +111,25 @@ def does_so(build: Build, does: AList, agent: str) -> str:
     said = (AList("state", value=does.value),) if does.value else does.parts
     habit = AList("habit", said)
     return clause(build, AList("q", (habit,)), agent)
+
+
+def what_stops(build: Build, body: AList) -> Question:
+    """ "What stopped you from turning": why it did not."""
+    act = build.action(body.first("gerunding"))
+    build.sketch.change(act, negated=True)
+    return Question("what", build.graphlet(act), "", "why")
+
+
+def obeys(build: Build, body: AList) -> Question:
+    """ "Do you obey Tim": whether he may give orders."""
+    who, act = build.thing(body.first("np"), person=True), build.add("act")
+    main = build.add("act", "tell", agt=who, dest=build.oneself("you"), cmd=act)
+    return Question("yesno", build.graphlet(main), "", "orders")
+
+
+def steps(build: Build, body: AList) -> Question:
+    """ "How many steps are there in your dance": they are told."""
+    act = build.action(body.find("action") or AList("action", (body.first("act"),)))
+    step = build.add("obj")
+    build.kind(step, "step")
+    return Question("howmany", build.graphlet(act), step, "know_how")

@@ -26,7 +26,7 @@ from grammars.sorts import (
     usages,
 )
 from grammars.vocabulary import BORN, lines
-from grammars.ways import BACKING, WAYS, is_somewhere
+from grammars.ways import BACKING, TURNERS, WAYS, is_somewhere
 
 # "Go out the door": what stands behind them is the way.
 PATHS: Final = frozenset("up down in out over around through along".split())
@@ -43,6 +43,7 @@ TIMES_OF_DAY: Final = frozenset(
 )
 # "It is late": of nothing in particular.
 AMBIENT: Final = frozenset("late early dark sunny cloudy windy foggy".split())
+MEANS: Final = ("with", "for", "on", "about", "from")
 # Nothing is done to them under these names: "stop you", "grab he".
 SUBJECTS: Final = ("you", "i", "he", "she", "they")
 
@@ -76,6 +77,8 @@ def is_used(action: AList, verb: str, pattern: bool) -> bool:
         return False
     if not pattern and (_lacks(action, obj, uses) or _is_upon_nothing(action)):
         return False
+    if not pattern and _is_by_way_of_speaking(action, obj):
+        return False
     if "whole" in uses and (action.has("size") or action.has("amt")):
         return False
     if any(len(action.all(part)) > 1 for part in ONCE) or _is_untimely(action, uses):
@@ -106,6 +109,17 @@ def _is_upon_nothing(action: AList) -> bool:
     beside = [action, *action.all("iobj", "dest")]
     beside += (loc for place in action.all("place") for loc in place.all("loc"))
     return any(is_nothing(np) for part in beside for np in part.all("np"))
+
+
+def _is_by_way_of_speaking(action: AList, obj: AList | None) -> bool:
+    """ "Move on with your life", "turn your garden into a paradise": not where anything is done."""
+    place = action.find("place")
+    loc = AList("loc") if place is None else place.first("loc")
+    becoming = obj is not None and action.slot("act") in TURNERS and loc.slot("prep") == "into"
+    locs = [loc, *(part for rel in (obj or loc).all("rel") for part in rel.all("loc"))]
+    return becoming or any(
+        part.slot("prep") in MEANS and any(map(is_abstract, part.all("np"))) for part in locs
+    )
 
 
 def _lacks(action: AList, obj: AList | None, uses: frozenset[str]) -> bool:
@@ -174,6 +188,10 @@ def _takes(action: AList, obj: AList, uses: frozenset[str], pattern: bool) -> bo
         return False  # "never pick up pins" is about no "up pins", nor "pick the up block"
     if obj.slot("own") == "your" and (kind(obj) in persons_own() or obj.slot("akos") in SINGLE):
         return "taking" in uses and kind(obj) in classes()["belongings"]
+    if obj.slot("own") == "your" and not (pattern or BORN.knows(kind(obj))):
+        return False  # its own parts it knows: "lift your spirits"
+    if obj.slot("pron") == "yourself" and uses.isdisjoint(("telling", "steering", "self")):
+        return False  # "push yourself to the limit"
     if not WAYS.isdisjoint(before) and (bare or named or obj.has("pron") or "steering" in uses):
         return False
     digit = bare and not obj.has("qual") and (obj.has("one") or kind(obj) == "one")

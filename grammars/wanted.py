@@ -27,6 +27,8 @@ ASKS: Final[dict[str, Ask]] = {
 ORDERS: Final = ("ordered", "orders")  # what somebody told the robot, and may tell it
 SUPPOSED: Final = ("supposed to", "meant to")
 BARE: Final = ("who", "whom", "what", "which", "how many")  # that may stand alone
+ABLE: Final = ("know_how", "allowed", "request")
+SINCE: Final = "since when"
 IDLE: Final = frozenset("could would might shall".split())  # of others: nobody asks a robot
 
 
@@ -203,11 +205,14 @@ def adverbial(build: Build, body: AList) -> Question:
     act = bool(so.inner)
     if word == "where":
         return _where(build, so)
+    how = wh.find("how_adv")
+    lasting = how is not None and how.has("lasting")
+    if lasting and so.own and so.topic in ABLE and wh.first("how_adv").slot("lasting") == SINCE:
+        return Question("when", build.graphlet(so.main), "", "taught")
     ask: Ask = ASKS.get(word, "which") if word else "how"
     topic = "know_how" if word == "how" and so.own and act else _topic(build, so)
     if ask == "when" and so.own and topic in ("", "allowed"):
         topic = "occasion"
-    how = wh.find("how_adv")
     much = how is not None and how.has("much")
     if much and not (so.own or asks.has("does_q")):  # "how much did the ticket set you back"
         raise NoMeaningError(str(body))
@@ -216,8 +221,10 @@ def adverbial(build: Build, body: AList) -> Question:
     if how is not None and how.has("adv") and topic not in ("did", "doing", "know_how"):
         wanted = build.add("deg", deg=build.add("mod", how.slot("adv"), mod=so.main))
         return Question(ask, build.graphlet(so.main), wanted, topic)
+    if lasting and topic == "" and not act:
+        return Question("when", build.graphlet(so.main), "", "taught")
     if how is not None and topic == "did":
-        topic = "lasting" if how.has("lasting") else "extent"
+        topic = "lasting" if lasting else "extent"
     return Question(ask, build.graphlet(so.main), "", topic)
 
 
@@ -252,20 +259,6 @@ def how_known(build: Build, body: AList) -> Question:
 def what_thinks(build: Build, body: AList) -> Question:
     """ "What makes you think the jar is heavy": who said so."""
     return replace(why(build, body), ask="what", topic="taught")
-
-
-def what_stops(build: Build, body: AList) -> Question:
-    """ "What stopped you from turning": why it did not."""
-    act = build.action(body.first("gerunding"))
-    build.sketch.change(act, negated=True)
-    return Question("what", build.graphlet(act), "", "why")
-
-
-def obeys(build: Build, body: AList) -> Question:
-    """ "Do you obey Tim": whether he may give orders."""
-    who, act = build.thing(body.first("np"), person=True), build.add("act")
-    main = build.add("act", "tell", agt=who, dest=build.oneself("you"), cmd=act)
-    return Question("yesno", build.graphlet(main), "", "orders")
 
 
 def cleft(build: Build, body: AList) -> Question:

@@ -79,10 +79,15 @@ def _is_crossed(action: AList, obj: AList | None, dirs: list[str]) -> bool:
     particles = said & PARTICLES
     upward = obj is None and action.slot("act") in TURNERS and bool(said & VERTICAL)
     return (
-        (bool(said & WAYS) and bool(said & SWITCHING))
+        (bool(said & SWITCHING) and (bool(said & WAYS) or _only_goes_on(action, obj)))
         or ((obj is not None or "still" in usages(action.slot("act"))) and len(particles) > 1)
         or upward  # "turn back up"
     )
+
+
+def _only_goes_on(action: AList, obj: AList | None) -> bool:
+    """ "Read on", "dream on": that is no way."""
+    return obj is None and not usages(action.slot("act")).isdisjoint(("telling", "reciting"))
 
 
 def _is_aimless(action: AList, obj: AList | None, uses: frozenset[str]) -> bool:

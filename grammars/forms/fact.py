@@ -7,13 +7,14 @@ from typing import Final
 from grammars.alist import AList
 from grammars.build import Build, NoMeaningError
 from grammars.clauses import clause
+from grammars.dates import dated
 from grammars.happenings import happened
 from grammars.mentions import OWNING, is_definite, is_person, is_time, may_be_person
 from grammars.mutual import each_other
 from grammars.registry import sentence_form
 from grammars.remarks import STANDING, check_absence, check_subject
 from grammars.render.telling import SAYING
-from grammars.sorts import is_abstract, kind
+from grammars.sorts import classes, is_abstract, kind
 from grammars.vocabulary import BORN
 from kernel.memory.meaning import Fact
 from kernel.net.graphlet import Graphlet, Term
@@ -57,6 +58,25 @@ def fact(alist: AList) -> Fact:
         with build.drawing(pattern=False):
             hq = build.quality(build.oneself("me"), feeling, feeling.has("neg"))
             return Fact(build.graphlet(hq))
+    if (day := alist.find("dated")) is not None:
+        with build.drawing(pattern=False):
+            told = build.graphlet(dated(build, day))
+        return Fact(told, tuple(build.finds))
+    alist = _restated(alist)
+    said = _each_told(alist)
+    for one in said:
+        check_subject(one)
+        check_absence(one)
+    with build.drawing(pattern=False):
+        mains = [clause(build, one) for one in said]
+        if (denied := alist.find("denied_so")) is not None:
+            mains.append(_but(build, mains[0], denied))
+        told = build.graphlet(mains[0])
+    return Fact(told, tuple(build.finds))
+
+
+def _restated(alist: AList) -> AList:
+    """The same in the plain order: "this is my brother Tom" is "Tom is my brother"."""
     if (pointed_out := alist.find("pointed_out")) is not None:
         if pointed_out.first("pred").first("kindof").slot("ako") in PARTS:
             raise NoMeaningError("this is the end")
@@ -69,16 +89,9 @@ def fact(alist: AList) -> Fact:
         alist = AList(alist.name, (AList("clause", (who, AList("pred", (kindof,)))),))
     if (some := alist.find("some_so")) is not None:
         alist = AList(alist.name, (_some_so(some),))
-    said = _each_told(alist)
-    for one in said:
-        check_subject(one)
-        check_absence(one)
-    with build.drawing(pattern=False):
-        mains = [clause(build, one) for one in said]
-        if (denied := alist.find("denied_so")) is not None:
-            mains.append(_but(build, mains[0], denied))
-        told = build.graphlet(mains[0])
-    return Fact(told, tuple(build.finds))
+    if (served := alist.find("served")) is not None:
+        alist = AList(alist.name, (_served(served),))
+    return alist
 
 
 def _each_told(alist: AList) -> list[AList]:
@@ -119,6 +132,17 @@ def _but(build: Build, main: str, denied: AList) -> str:
     links = build.sketch.terms[main].links
     thing = next(other for role, other in links if role in SAYING)
     return clause(build, AList("clause", denied.parts[-1:]), thing)
+
+
+def _served(served: AList) -> AList:
+    """ "Dinner is ready" is "the dinner is ready"."""
+    meal, *rest = served.parts
+    pred = served.first("pred")
+    if kind(meal) not in classes()["meals"] or not (pred.has("qual") or pred.has("loc")):
+        raise NoMeaningError(str(served))
+    if not all(is_definite(np) for loc in pred.all("loc") for np in loc.all("np")):
+        raise NoMeaningError("lunch is for wimps")
+    return AList("clause", (AList("np", (AList("det", value="the"), *meal.parts)), *rest))
 
 
 def _some_so(some: AList) -> AList:

@@ -10,12 +10,13 @@ from grammars.alist import AList
 from grammars.asked import related
 from grammars.build import Build, NoMeaningError
 from grammars.clauses import clause
+from grammars.dates import day_asked
 from grammars.mentions import compounded
-from grammars.occasions import either_so, occasional, on_occasion
+from grammars.occasions import either_so, occasional, on_occasion, since_told
 from grammars.registry import sentence_form
 from grammars.relatives import predicate
 from grammars.sorts import kind
-from grammars.topics import may_be_about, of_topic
+from grammars.topics import may_be_about, obeys, of_topic, steps, what_stops
 from grammars.wanted import (
     ASKS,
     adverbial,
@@ -23,12 +24,10 @@ from grammars.wanted import (
     cleft,
     fronted,
     how_known,
-    obeys,
     same_thing,
     subject,
     wanted,
     what_for,
-    what_stops,
     what_thinks,
     whether,
     why,
@@ -250,14 +249,6 @@ def _which_way(build: Build, body: AList) -> Question:
     return Question("which", build.graphlet(loc), loc)
 
 
-def _steps(build: Build, body: AList) -> Question:
-    """ "How many steps are there in your dance": they are told."""
-    act = build.action(body.find("action") or AList("action", (body.first("act"),)))
-    step = build.add("obj")
-    build.kind(step, "step")
-    return Question("howmany", build.graphlet(act), step, "know_how")
-
-
 def _why(build: Build, body: AList) -> Question:
     if body.has("asks"):
         return why(build, body)
@@ -289,8 +280,11 @@ SO: Final[dict[str, Callable[[Build, AList], Question]]] = {
     "either_so": either_so,
     "same_thing": same_thing,
     "which_way": _which_way,
-    "steps": _steps,
+    "steps": steps,
     "occasional": occasional,
+    "since_told": since_told,
+    "day_so": day_asked,
+    "what_day": day_asked,
     "subject": subject,
     "wanted": wanted,
     "adverbial": adverbial,

@@ -13,7 +13,7 @@ from grammars.render.deeds import be, deed
 from grammars.render.qualities import degree, quality
 from grammars.render.telling import SAYING, Telling, is_predicate, linked, word
 from grammars.render.things import PRONOUNS, alike, description, kind, owned, place, proper, thing
-from grammars.sorts import NOBODY
+from grammars.sorts import NOBODY, classes
 from grammars.vocabulary import BORN
 from kernel.net.graphlet import Graphlet, Term
 
@@ -261,6 +261,8 @@ def _as_quality(telling: Telling, term: Term) -> str:
         return f"{degree(telling, term.name)}{comparative(word(term))} than {thing(telling, other)}"
     if linked(term, "as"):
         return alike(telling, term)
+    if word(term) in classes()["weekdays"]:
+        return proper(word(term))
     regards = [place(telling, about) for about in telling.take(term.name, "loc")]
     return " ".join([quality(telling, term), *regards])
 

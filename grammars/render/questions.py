@@ -11,11 +11,12 @@ from grammars.render.missing import ADVERBS, GAPPED, bare, ordered, own_deed, qu
 from grammars.render.procedures import procedure
 from grammars.render.telling import Telling, Voice, is_predicate, linked, word
 from grammars.render.things import thing
+from grammars.sorts import classes
 from kernel.memory.meaning import Question
 from kernel.net.graphlet import Graphlet, Term
 
 # What is asked as "what color is it", and not as "what is its name".
-_SEEN: Final = ("color", "size", "shape", "kind", "make", "brand")
+_SEEN: Final = ("day", "color", "size", "shape", "kind", "make", "brand")
 
 
 def question(asked: Question, voice: Voice) -> str:
@@ -102,6 +103,8 @@ def _taught(telling: Telling, asked: Question, you: str, me: str) -> str:
         said = claim(telling, asked.about)
         if asked.ask == "what":
             return f"what makes {me} think that {said}"
+        if asked.ask == "when":
+            return f"when did {you} learn that {said}"
         if asked.ask == "why":
             return f"why {said.verb} {said.subject} {said.asked}"
         return f"who told {me} that {said}"
@@ -169,6 +172,8 @@ def _asked(telling: Telling, asked: Question) -> tuple[str, Clause]:
         case "what" if main.name == wanted and linked(main, "hq"):
             telling.stated.add(main.name)
             attribute = " ".join(word(kind) for kind in telling.take(main.name, "ako"))
+            if telling.term(linked(main, "hq")).lex & classes()["days"]:
+                attribute = "day"
             if attribute and attribute not in _SEEN:
                 whose = thing(telling, linked(main, "hq"), "possessive")
                 return "what", _being(f"{whose} {attribute}")

@@ -75,7 +75,9 @@ def possessive(phrase: str) -> str:
 
 
 def proper(name: str) -> str:
-    """A name as it is written."""
+    """A name as it is written; that of a day is "today"."""
+    if name in classes()["days"]:
+        return name
     return " ".join(part[:1].upper() + part[1:] for part in name.split(" "))
 
 
