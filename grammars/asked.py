@@ -257,10 +257,8 @@ def _existing(build: Build, exist: AList) -> str:
     thing = build.thing(np)
     if number := exist.slot("num"):
         build.add("cnt", literal=number, cnt=thing)
-    if exist.has("hereabouts") or exist.has("loc"):
-        return predicate(build, thing, exist, negated=False)
-    pred = exist.find("pred")
-    return thing if pred is None else predicate(build, thing, pred, negated=False)
+    where = exist.find("pred") or AList("pred", tuple(exist.all("hereabouts", "loc")))
+    return predicate(build, thing, where, negated=False) if where.parts else thing
 
 
 def fill(build: Build, act: str, thing: str, strand: str, asks: AList) -> None:

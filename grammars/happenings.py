@@ -54,7 +54,8 @@ def _check(who: AList, done: AList) -> None:
     obj = done.find("np")
     verb = done.slot("act") or done.value or ""
     if (
-        verb in MENTAL
+        done.has("speaking")  # "the vet said she can come home"
+        or verb in MENTAL
         or not usages(verb).isdisjoint(REPORTED)
         or who.slot("vague").startswith(EVERYONE)
     ):
@@ -74,7 +75,7 @@ def _is_pointed_out(who: AList, obj: AList | None, done: AList) -> bool:
     road", but "he took my keys" and "I opened the door"."""
     if obj is None or (who.slot("pron") in SPEAKING and obj.has("pron")):
         return False
-    bare = all(part.name in ("det", "ako", "akos", "pron") for part in obj)
+    bare = all(part.name in ("det", "ako", "akos", "pron", "rel") for part in obj)
     return who.slot("pron") in SPEAKING or not bare
 
 

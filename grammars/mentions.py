@@ -37,6 +37,7 @@ ASKING: Final = frozenset(
     "who what where when why how which whose may can could will would shall should is are do does did".split()
 )
 CONJUNCTIONS: Final = ("or", "but", "because")  # "don't tell him that or he will cry"
+UNADDRESSED: Final = ("you", "that", "this", "these", "those")
 FINITE: Final = frozenset("is are was were has may can will must should does did".split())
 PERSONAL: Final = frozenset("him her he she".split())
 OF_WOMEN: Final = frozenset(("she", "her"))
@@ -182,7 +183,7 @@ def is_addressed(verb: str, speech: AList) -> bool:
     listener, hearer = speech.find("listener"), speech.find("hearer")
     if verb == "ask" and listener is None:
         return words[0] in ASKING
-    if listener is not None and (listener.slot("pron") == "you" or listener.value == "you"):
+    if listener is not None and (listener.slot("pron") or listener.value) in UNADDRESSED:
         return False
     if verb == "tell" and words[0] in FINITE:
         return False

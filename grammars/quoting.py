@@ -34,6 +34,9 @@ THIRD: Final = frozenset(
 # After these anything is a quote; "tell me", though, mostly asks for what the robot knows.
 LITERALLY: Final = frozenset("say saying tell telling ask asking".split())
 RECITING: Final = frozenset("recite reciting".split())
+WANTED: Final = frozenset(
+    "everything anything all what whatever how who whom where when why whether".split()
+)
 ASKING_FOR: Final = [["tell", "me"], ["telling", "me"], ["ask", "me"]]
 
 
@@ -42,7 +45,8 @@ def holds(tree: Tree, derive: Derive) -> bool:
     if any(_swallows([token for _, token in words], derive) for words in tree.quotes()):
         return False
     return all(
-        _makes_sense([token for _, token in words], derive)
+        not (before[:2] == ["tell", "me"] and words[0][1].piece.text in WANTED)
+        and _makes_sense([token for _, token in words], derive)
         and not (len(words) == 1 and _is_too_short(before, words[0]))
         for before, words in tree.speeches()
         if before[0] not in LITERALLY or before[:2] in ASKING_FOR

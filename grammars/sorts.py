@@ -19,6 +19,7 @@ SEVERAL: Final = ("these", "those")
 ONE: Final = ("a", "an", "another", "this", "that")
 COMPLEMENTS: Final = ("of", "for", "about", "with", "at", "to")
 ROBOT: Final = "robot"
+HERE: Final = frozenset(("here", "there"))
 POSITIONS: Final = frozenset(("up", "down", "on", "off"))
 LEARNED: Final = ("learn", "know", "say", "tell", "teach", "hear", "think", "forget")
 NOBODY: Final = frozenset(("nothing", "nobody", "no one"))
@@ -107,13 +108,23 @@ def agrees(np: AList) -> bool:
     quals = {qual.slot("hq") for qual in np.all("qual")}
     if np.has("vague") and (quals & POSITIONS or any(qual.has("most") for qual in np.all("qual"))):
         return False  # "something up", "something stickiest"
+    if is_bare(np) and quals & HERE:  # "are there red blocks" asks of no "there blocks"
+        return False
     if np.has("akos") and any(rel.has("name") for rel in np.all("rel")):  # "suits called Tommy"
         return False
+    if _is_order(np.slot("sub")) and kind(np) not in classes()["signs"]:
+        return False  # "the stop sign", and no "go kitchen"
     if kind(np) == ROBOT and np.has("sub") and np.slot("sub") not in classes()["robots"]:
         return False  # "pick up the block, robot"
     if np.has("numbered") and kind(np) not in classes()["numbered"]:  # "page two"
         return False
     return not (det in ONE and np.has("akos")) and not (det in SEVERAL and np.has("ako"))
+
+
+def _is_order(word: str) -> bool:
+    """It is known as something to do, and as no thing."""
+    readings = BORN.readings(word)
+    return "VERB" in readings and "NOUN" not in readings
 
 
 def may_be_called(np: AList) -> bool:
@@ -145,6 +156,8 @@ def may_regard(pred: AList) -> bool:
     """The quality may regard something: "afraid of dogs", and not "empty of you"."""
     loc, qual = pred.find("loc"), pred.first("qual")
     word = qual.slot("hq")
+    if loc is not None and loc.slot("prep") not in COMPLEMENTS:  # "parked behind the house"
+        return word in classes()["placed"]
     if (
         loc is None
         or loc.slot("prep") not in COMPLEMENTS

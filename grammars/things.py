@@ -107,6 +107,8 @@ class Things:
             raise NoMeaningError(str(np))
         if (apposed := np.find("apposed")) is not None:
             np = with_apposed(np, apposed)
+        if np.has("name") and not self.telling:  # "my brother Tom" is Tom
+            np = AList("np", tuple(part for part in np if part.name in ("name", "rel")))
         pron = np.slot("pron") or np.slot("pronoun")
         if pron in SELF:
             return self.oneself(SELF[pron])

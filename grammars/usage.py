@@ -165,7 +165,7 @@ def _takes(action: AList, obj: AList, uses: frozenset[str], pattern: bool) -> bo
     parts = list(action)
     before = [part.value for part in parts[: parts.index(obj)] if part.name == "dir"]
     named, bare = obj.has("name"), is_bare(obj)
-    if "alone" in uses and (bare or named or PATHS.isdisjoint(before)):
+    if "alone" in uses and ("venting" in uses or bare or named or PATHS.isdisjoint(before)):
         return False
     if "telling" not in uses and is_abstract(obj):
         return False

@@ -57,6 +57,8 @@ def whether(build: Build, asks: AList) -> Question:
         name = next(
             (other for role, other in about if role in ("agt", "hq", "loc", "own", "ako")), ""
         )
+        if not name:  # "were everybody folded"
+            raise NoMeaningError(str(asks))
         build.sketch.change(name, ref="every")
         topic = "every"
     return Question("yesno", build.graphlet(so.main), "", topic)

@@ -9,7 +9,7 @@ from itertools import takewhile
 from typing import Final
 
 from grammars.alist import AList
-from grammars.sorts import classes, is_abstract, is_bare, is_people, kind, usages
+from grammars.sorts import HERE, classes, is_abstract, is_bare, is_people, kind, usages
 
 WAYS: Final = frozenset(
     "left right forward backward clockwise counterclockwise sideways straight".split()
@@ -32,7 +32,6 @@ SWITCHING: Final = frozenset(("on", "off"))
 TURNERS: Final = frozenset("turn rotate spin swivel pivot twirl circle twist revolve".split())
 VERTICAL: Final = frozenset(("up", "down"))
 ORIGINS: Final = ("from", "away from")
-HERE: Final = frozenset(("here", "there"))
 
 
 def is_somewhere(action: AList, obj: AList | None, uses: frozenset[str], pattern: bool) -> bool:
@@ -53,7 +52,9 @@ def is_somewhere(action: AList, obj: AList | None, uses: frozenset[str], pattern
         return False
     if {"nowhere", "steering"} <= uses and "venting" not in uses and action.has("dest"):
         return False  # "stop to the kitchen"
-    if "aimless" in uses and obj is not None and not VERTICAL.isdisjoint(dirs):
+    if action.slot("act") in BACKING and "forward" in dirs:
+        return False
+    if "aimless" in uses and obj is not None and not (VERTICAL | SWITCHING).isdisjoint(dirs):
         return False  # "grab the back up"
     turned = action.has("the_other_way") or not WAYS.isdisjoint(dirs)
     if ("still" in uses and turned) or ("nowhere" in uses and not HERE.issuperset(dirs)):

@@ -9,7 +9,7 @@ from grammars.build import Build, NoMeaningError
 from grammars.clauses import clause
 from grammars.dates import dated
 from grammars.happenings import happened
-from grammars.mentions import OWNING, is_definite, is_person, is_time, may_be_person
+from grammars.mentions import FINITE, OWNING, is_definite, is_person, is_time, may_be_person
 from grammars.mutual import each_other
 from grammars.registry import sentence_form
 from grammars.remarks import STANDING, check_absence, check_subject
@@ -83,6 +83,8 @@ def _restated(alist: AList) -> AList:
         alist = AList(alist.name, (AList("clause", pointed_out.parts),))
     if (placed := alist.find("placed")) is not None:
         alist = AList(alist.name, (_placed(placed),))
+    if (kin := alist.find("kin")) is not None:
+        alist = AList(alist.name, _kin(kin))
     if (introduced := alist.find("introduced")) is not None:  # "this is my brother Tom"
         kindof = AList("kindof", tuple(p for p in introduced if p.name not in ("np", "name")))
         who = AList("np", tuple(introduced.all("name")))
@@ -143,6 +145,16 @@ def _served(served: AList) -> AList:
     if not all(is_definite(np) for loc in pred.all("loc") for np in loc.all("np")):
         raise NoMeaningError("lunch is for wimps")
     return AList("clause", (AList("np", (AList("det", value="the"), *meal.parts)), *rest))
+
+
+def _kin(kin: AList) -> tuple[AList, AList]:
+    """ "My brother Tom is tall" is "Tom is my brother" and "Tom is tall"."""
+    at = next(place for place, part in enumerate(kin) if part.name == "name")
+    if kin.parts[at].value in FINITE:  # "my heart will go on"
+        raise NoMeaningError(str(kin))
+    who = AList("np", (kin.parts[at],))
+    pred = AList("pred", (AList("kindof", kin.parts[:at]),))
+    return AList("clause", (who, pred)), AList("clause", (who, *kin.parts[at + 1 :]))
 
 
 def _some_so(some: AList) -> AList:

@@ -239,22 +239,29 @@ def with_kind(telling: Telling, term: Term) -> str:
     return f"{article(noun)} {noun}"
 
 
+def _relation(telling: Telling, name: str) -> str:
+    """ "My brother" before the name of one who is told apart so."""
+    told_apart = [
+        term for term in telling.about(name, "own", "ako") if telling.is_of(name, term.name)
+    ]
+    if {term.kind for term in told_apart} != {"own", "ako"}:
+        return ""
+    whose = thing(telling, linked(telling.take(name, "own")[0], "of"), "possessive")
+    return f"{whose} {kind(telling, telling.take(name, 'ako')[0])} "
+
+
 def _first(telling: Telling, term: Term) -> str:
     name, ref = term.name, term.ref
     if term.lex:
-        return proper(word(term))
+        return _relation(telling, name) + proper(word(term))
     if (ref in (*PRONOUNS, *GROUPS) or ref == "somebody") and not described(telling, name):
         return ref
     denied = any(said.negated for said in telling.about(name, "ako", "own"))  # "that is not my dad"
     owners = [] if denied else [linked(own, "of") for own in telling.take(name, "own")]
     whose = thing(telling, owners[0], "possessive") if owners else ""
-    bare = (
-        ""
-        if ref in ("", "somebody", "every") and not owners
-        else "one"
-        if ref == "one"
-        else "thing"
-    )
+    bare = "one" if ref == "one" else "thing"
+    if ref in ("", "somebody", "every") and not owners:
+        bare = ""
     numbers = [count.literal or "" for count in telling.take(name, "cnt")]
     before, noun, after = description(telling, name, "thing" if numbers else bare)
     if ref == "every" and noun == "person" and not before and not whose:
