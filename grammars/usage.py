@@ -190,9 +190,8 @@ def _takes(action: AList, obj: AList, uses: frozenset[str], pattern: bool) -> bo
         return "taking" in uses and kind(obj) in classes()["belongings"]
     if obj.slot("own") == "your" and not (pattern or BORN.knows(kind(obj))):
         return False  # its own parts it knows: "lift your spirits"
-    moving = usages(action.slot("act")) & {"telling", "steering", "self"}
-    if obj.slot("pron") == "yourself" and not moving:
-        return False  # "push yourself to the limit"
+    if obj.slot("pron") == "yourself" and "taking" in uses:
+        return False  # "catch yourself a fish"
     if not WAYS.isdisjoint(before) and (bare or named or obj.has("pron") or "steering" in uses):
         return False
     digit = bare and not obj.has("qual") and (obj.has("one") or kind(obj) == "one")
