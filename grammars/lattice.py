@@ -35,7 +35,7 @@ MAY_ORDER: Final = [
     [may, more] for may in ("may", "can") for more in ("tell", "ask", "order", "boss")
 ]
 CALLING: Final = ("called", "named")
-NAMING: Final = [[verb, article] for verb in ("is", "'s") for article in ("a", "an")]
+ARTICLES: Final = ("a", "an", "the", "my", "our", "your", "his", "her", "their")
 PETS: Final = frozenset(
     "dog puppy spaniel poodle terrier beagle cat kitten hamster rabbit parrot horse pony".split()
 )
@@ -164,10 +164,14 @@ def _may_be_name(token: Token, before: Sequence[Piece], after: Sequence[Token]) 
     if not before:
         if words[1:2] == ["not"]:
             after, words = [after[0], *after[2:]], [words[0], *words[2:]]
-        kinds = [next_.piece.text for next_ in after[2:] if not _describes(next_)][:1]
-        pet = kinds and kinds[0] in PETS  # "Biscuit is a brown spaniel"
+        kinds = [next_.piece.text for next_ in after[2:] if not _describes(next_)]
+        pet = not PETS.isdisjoint((*kinds[:1], *kinds[-1:]))  # "Biscuit is the neighbor's dog"
         noun = not token.readings.keys().isdisjoint(("NOUN", "NOUNS"))
-        return words[:2] in NAMING and ("ADJ" in token.readings or (noun and bool(pet)))
+        naming = words[:1] in (["is"], ["'s"]) and words[1:2] != []
+        return naming and (
+            ("ADJ" in token.readings and words[1] in ("a", "an"))
+            or (noun and pet and words[1] in ARTICLES)
+        )
     said = [piece.text for piece in before]
     told = said[-1] in CALLING or said == ["name", "is"]
     if not told and token.readings.keys() & set_categories():  # "Bad robot"

@@ -198,12 +198,15 @@ def without_chat(found: Sequence[Piece]) -> list[Piece]:
             end = at + len(said)
             if tuple(_texts(found[at:end])) != said:
                 continue
-            before = at > 0 and found[at - 1].kind == "comma"
+            comma = before = at > 0 and found[at - 1].kind == "comma"
+            before = before or (
+                said == ("you", "know") and _texts(found[at - 1 : at]) in (["then"], ["and"])
+            )
             opening = all(piece.text in OPENERS for piece in found[:at])
             closing = end == len(found) and said == ("you", "know")
             after = end < len(found) and found[end].kind == "comma"
             if opening or closing or before or after:
-                return without_chat([*found[: at - before], *found[end + after :]])
+                return without_chat([*found[: at - comma], *found[end + after :]])
     return list(found)
 
 

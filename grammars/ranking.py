@@ -25,7 +25,7 @@ BUILDERS: Final = frozenset(
 SAID: Final = ("it", "that", "this")
 AGAIN: Final = frozenset("again once twice and to with for like as in out while when".split())
 DANGLING: Final = frozenset(
-    "the a an my your and or of if say tell when whenever unless until than because".split()
+    "the a an my your and or of if say tell then when whenever unless until than because".split()
 )
 SPEECHES: Final = ("speech", "speaking")
 
