@@ -175,9 +175,7 @@ def _takes(action: AList, obj: AList, uses: frozenset[str], pattern: bool) -> bo
         return False
     if (before and _is_called(obj)) or (bare and kind(obj) == ROBOT):
         return False
-    if obj.slot("pron") == "you" or (
-        not pattern and (obj.slot("pron") in SUBJECTS or kind(obj) in TIMES_OF_DAY)
-    ):
+    if not pattern and (obj.slot("pron") in SUBJECTS or kind(obj) in TIMES_OF_DAY):
         return False
     if action.slot("act") in BACKING and (
         obj.has("one") or kind(obj) not in classes()["backing"] | {""}

@@ -52,7 +52,10 @@ def procedure(alist: AList) -> Teach:
                 raise NoMeaningError(str(said))  # "if I call for help"
             act = build.add("act", said.slot("quote").lower())
         else:
-            act = build.action(alist.first("action", "gerunding"))
+            deed = alist.first("action", "gerunding")
+            if any(np.slot("pron") == "you" for np in deed.all("np")):
+                raise NoMeaningError(str(deed))  # "to yodel you say ..."
+            act = build.action(deed)
         trigger = Directive("DO", build.graphlet(act))
     return _taught(build, alist, trigger)
 
