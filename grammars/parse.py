@@ -22,7 +22,7 @@ from kernel.memory.reply import AskKeep, AskWhich
 
 MOST_WORDS: Final = 60
 MOST_LETTERS: Final = 1000
-MOST_READ: Final = 30  # words of all attempts upon a sentence, before another suggestion is tried
+MOST_READ: Final = 26  # words of all attempts upon a sentence, before another suggestion is tried
 
 
 def parse(

@@ -126,7 +126,7 @@ def _is_from_nowhere(action: AList, uses: frozenset[str]) -> bool:
 
 def _is_no_end(np: AList) -> bool:
     """ "Turn to jungles", "go to the lesson": nobody gets there."""
-    return (is_bare(np) and np.has("akos")) or is_abstract(np)
+    return (is_bare(np) and (np.has("akos") or kind(np) == "back")) or is_abstract(np)
 
 
 def _goes_to_itself(action: AList, obj: AList | None, uses: frozenset[str]) -> bool:
