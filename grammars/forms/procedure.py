@@ -13,7 +13,7 @@ from kernel.action.chain import Chain, Directive
 from kernel.memory.lesson import Operator
 from kernel.memory.meaning import Teach
 
-# No names for deeds: "turn left when I tell you to".
+# How no name of a deed begins: "turn left when I tell you to", "when I say so".
 NO_NAMES: Final = ("to", "so", "that")
 EXAMPLES = (
     "To cha-cha drive forward then drive backwards",
@@ -44,11 +44,9 @@ def procedure(alist: AList) -> Teach:
         with build.drawing(pattern=True):
             return _taught(build, alist, Directive("FIND", build.graphlet(build.thing(sought))))
     with build.drawing(pattern=True, trigger=True):
-        if said is not None and said.slot("quote").lower() in NO_NAMES:
-            raise NoMeaningError(str(said))  # "turn left when I tell you to"
         if said is not None:
-            first = said.slot("quote").partition(" ")[0]
-            if first == "so" or (alist.has("cried") and first in UNQUOTED):
+            first = said.slot("quote").lower().partition(" ")[0]
+            if first in NO_NAMES or (alist.has("cried") and first in UNQUOTED):
                 raise NoMeaningError(str(said))  # "if I call for help"
             act = build.add("act", said.slot("quote").lower())
         else:
