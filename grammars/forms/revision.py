@@ -10,6 +10,7 @@ from grammars.pacing import HOLDING
 from grammars.registry import sentence_form
 from grammars.sorts import is_abstract, is_bare
 from grammars.verdicts import is_praise
+from grammars.vocabulary import BORN
 from kernel.action.chain import Chain, Directive, Play, sequence
 from kernel.memory.editing import OTHER_WAY
 from kernel.memory.meaning import Beside, Revision
@@ -57,7 +58,7 @@ SLOWER: Final = {
 def revision(alist: AList) -> Revision:
     """What to do, instead of what, when doing what."""
     build = Build()
-    of = None
+    alist, of = _as_way(alist), None
     if (whole := alist.find("old")) is not None:
         with build.drawing(pattern=True):
             of = build.graphlet(build.action(whole.find("action", "gerunding") or whole))
@@ -88,6 +89,19 @@ def revision(alist: AList) -> Revision:
     last, later = alist.has("at_end") or adding, alist.has("later")
     later = later and chain is not None and replaced is None and of is None and not last
     return Revision(steps, replaced, of, last, where, later)
+
+
+def _as_way(alist: AList) -> AList:
+    """ "From now on dance slowly" is "when you dance do it slowly"; what the robot is born with has no lesson."""
+    chain = alist.find("chain")
+    deeds = [] if chain is None else [part for part in chain.walk() if part.name == "action"]
+    if len(deeds) != 1 or not alist.has("later") or "MOTION" in BORN.readings(deeds[0].slot("act")):
+        return alist
+    act, *ways = deeds[0].parts
+    if act.name != "act" or [way.name for way in ways] != ["manner"]:
+        return alist
+    old = AList("old", (AList("action", (act,)),))
+    return AList(alist.name, (old, AList("altered", tuple(ways))))
 
 
 def _alone(part: AList) -> AList:
