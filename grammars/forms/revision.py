@@ -97,11 +97,10 @@ def _as_way(alist: AList) -> AList:
     deeds = [] if chain is None else [part for part in chain.walk() if part.name == "action"]
     if len(deeds) != 1 or not alist.has("later") or "MOTION" in BORN.readings(deeds[0].slot("act")):
         return alist
-    act, *ways = deeds[0].parts
-    if act.name != "act" or [way.name for way in ways] != ["manner"]:
+    if [part.name for part in deeds[0]] != ["act", "manner"]:
         return alist
-    old = AList("old", (AList("action", (act,)),))
-    return AList(alist.name, (old, AList("altered", tuple(ways))))
+    act, way = deeds[0].parts
+    return AList(alist.name, (AList("old", (AList("action", (act,)),)), AList("altered", (way,))))
 
 
 def _alone(part: AList) -> AList:
