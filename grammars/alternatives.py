@@ -11,7 +11,8 @@ from dataclasses import replace
 from typing import Final
 
 from grammars.alist import AList
-from grammars.denying import DENIALS, otherwise
+from grammars.clauses import DENIALS
+from grammars.denying import otherwise
 from grammars.errors import NoMeaningError
 from grammars.sorts import is_nothing
 from kernel.memory.lesson import LessonKind, Operator, Rule, graphlets

@@ -22,6 +22,7 @@ if TYPE_CHECKING:
 
 TOOLS: Final = ("drill", "ropes", "score")
 SENSED: Final = ("see", "hear", "feel", "smell")
+DENIALS: Final = ("neg", "not_has", "neg_own")
 PAST: Final = "past"
 
 
@@ -64,7 +65,7 @@ def clause(build: Build, part: AList, subject: str = "", topical: bool = False) 
     """
     build.negative = False
     part = seen_from_robot(part)
-    negated = any(part.has(denial) for denial in ("neg", "not_has", "neg_own"))
+    negated = any(part.has(denial) for denial in DENIALS)
     if (exists := part.find("exists")) is not None:
         return _exists(build, exists)
     if (ordered := part.find("ordered")) is not None:
@@ -127,11 +128,11 @@ def clause(build: Build, part: AList, subject: str = "", topical: bool = False) 
         many = build.thing(AList("np", counted.parts[1:]))
         build.add("cnt", literal=counted.slot("num"), cnt=many)
         does = build.add("act", part.slot("does", "have"), agt=agent, obj=many, negated=negated)
-        return in_the_past(build, does) if part.has("had") and build.telling else does
+        return _had(build, part, does)
     if objects and not (build.telling and is_abstract(objects[0])):
         owned = build.thing(objects[0])
         has = build.add("act", "have", agt=agent, obj=owned, negated=negated or build.negative)
-        return in_the_past(build, has) if part.has("had") and build.telling else has
+        return _had(build, part, has)
     raise NoMeaningError(str(part))
 
 
@@ -244,10 +245,16 @@ def _doing(build: Build, part: AList, agent: str, objects: list[AList], negated:
     return act
 
 
-def in_the_past(build: Build, act: str) -> str:
-    """Say of a deed that it was done, and is no habit; the node of the deed."""
-    build.add("mod", PAST, mod=act)
+def _had(build: Build, part: AList, act: str) -> str:
+    """The node of the act, of which it is said, where a fact tells so, that it is over: "I had a dog"."""
+    if part.has("had") and build.telling:
+        in_the_past(build, act)
     return act
+
+
+def in_the_past(build: Build, act: str) -> None:
+    """Say of a deed that it was done, and is no habit."""
+    build.add("mod", PAST, mod=act)
 
 
 def _is_knowable(np: AList) -> bool:

@@ -5,13 +5,12 @@ from __future__ import annotations
 from typing import Final
 
 from grammars.alist import AList
-from grammars.clauses import SENSED, flat
+from grammars.clauses import DENIALS, SENSED, flat
 from grammars.errors import NoMeaningError
 from grammars.mentions import VERB_SLOTS
 from grammars.pacing import HOLDING
 from grammars.sorts import is_nothing
 
-DENIALS: Final = ("neg", "not_has", "neg_own")
 # What somebody says or is told is heard once, and is not so all the rest of the time.
 ONCE: Final = (
     "quote",

@@ -35,7 +35,7 @@ MAY_ORDER: Final = [
     [may, more] for may in ("may", "can") for more in ("tell", "ask", "order", "boss")
 ]
 CALLING: Final = ("called", "named")
-ARTICLES: Final = ("a", "an", "the", "my", "our", "your", "his", "her", "their")
+ARTICLES: Final = frozenset("a an the my our your his her their".split())
 PETS: Final = frozenset(
     "dog puppy spaniel poodle terrier beagle cat kitten hamster rabbit parrot horse pony".split()
 )
@@ -167,11 +167,10 @@ def _may_be_name(token: Token, before: Sequence[Piece], after: Sequence[Token]) 
         kinds = [next_.piece.text for next_ in after[2:] if not _describes(next_)]
         pet = not PETS.isdisjoint((*kinds[:1], *kinds[-1:]))  # "Biscuit is the neighbor's dog"
         noun = not token.readings.keys().isdisjoint(("NOUN", "NOUNS"))
-        naming = words[:1] in (["is"], ["'s"]) and words[1:2] != []
-        return naming and (
-            ("ADJ" in token.readings and words[1] in ("a", "an"))
-            or (noun and pet and words[1] in ARTICLES)
-        )
+        if words[:1] not in (["is"], ["'s"]):
+            return False
+        quality = "ADJ" in token.readings and words[1:2] in (["a"], ["an"])
+        return quality or (noun and pet and not ARTICLES.isdisjoint(words[1:2]))
     said = [piece.text for piece in before]
     told = said[-1] in CALLING or said == ["name", "is"]
     if not told and token.readings.keys() & set_categories():  # "Bad robot"

@@ -63,7 +63,6 @@ _MALE: Final = frozenset("boy man father brother son uncle grandfather husband n
 ANY_KIND: Final = frozenset(("thing", "object", "item", "stuff"))
 REFS: Final = {"the": "the", "this": "this", "that": "that", "these": "this", "those": "that"}
 GROUPING: Final = ("both", "all", "neither", "neither of", "none of")
-GROUPS: Final = {"these": "these", "those": "those"}  # all of those that are meant; else "they"
 VERB_SLOTS: Final = ("does", "gerund", "state", "states", "verb", "verbs")
 DEGREES: Final = {"all the way": "fully", "a little": "little", "a bit": "little"}
 PLACES: Final = {

@@ -41,8 +41,6 @@ def waited(delayed: AList) -> AList:
     """ "In ten seconds turn left": wait as long, then do it."""
     action = delayed.find("action") or delayed
     amt = (delayed if action is not delayed else action).first("in_a_while").first("amt")
-    if amt.slot("unit") not in TIMES:
-        raise NoMeaningError(str(delayed))
     wait = _waiting(amt)
     if "sensing" in usages(action.slot("act")):
         raise NoMeaningError(str(delayed))  # "see a thread in an hour"
@@ -55,8 +53,6 @@ def paced(loop: AList) -> AList:
     if (pace := loop.find("paced")) is None:
         return loop
     amt, again = pace.first("amt"), loop.first("play")
-    if amt.slot("unit") not in TIMES:
-        raise NoMeaningError(str(pace))
     if (cnt := pace.find("cnt")) is not None:  # "twice a second", "ten times a minute"
         unit, parts = FINER.get(amt.slot("unit"), (amt.slot("unit"), 1))
         each = AList("num", value=f"{parts / whole(count(cnt)):.2g}")
@@ -70,8 +66,6 @@ def paced(loop: AList) -> AList:
 def spaced(spaced: AList) -> AList:
     """ "Turn left three times, pausing a second between each": all rounds but the last are waited after."""
     pause, again = spaced.first("amt"), spaced.first("play", "chain")
-    if pause.slot("unit") not in TIMES:
-        raise NoMeaningError(str(spaced))
     cnt = spaced.find("cnt")
     if again.name == "play":
         once, cnt = _once(again.parts[0])
@@ -101,4 +95,7 @@ def _once(action: AList) -> tuple[AList, AList | None]:
 
 
 def _waiting(amt: AList) -> AList:
+    """To wait so long: no inches."""
+    if amt.slot("unit") not in TIMES:
+        raise NoMeaningError(str(amt))
     return AList("action", (AList("act", value="wait"), amt))

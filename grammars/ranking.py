@@ -21,9 +21,10 @@ MOST_READINGS: Final = 6
 BUILDERS: Final = frozenset(
     "before after instead means unless until when whenever if then while than because".split()
 )
-# Nobody's quote ends with one of these: the sentence was cut off, or what follows is no new action but the rest of it.
+# "Say that again", "say it with flowers".
 SAID: Final = ("it", "that", "this")
 AGAIN: Final = frozenset("again once twice and to with for like as in out while when".split())
+# Nobody's quote ends with one of these: the sentence was cut off, or what follows is no new action but the rest of it.
 DANGLING: Final = frozenset(
     "the a an my your and or of if say tell then when whenever unless until than because".split()
 )

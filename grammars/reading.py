@@ -204,9 +204,7 @@ def _built(sentence: AList) -> tuple[str, Meaning] | None:
     """Kind and meaning of a reading; None where the net has no room for it."""
     if any(part.name == "quote" and not part.value for part in sentence.walk()):
         return None
-    if any(
-        part.name in ("right_now", "at_once") for part in sentence.walk()
-    ) and is_waiting_for_way(sentence):
+    if is_waiting_for_way(sentence):
         return None
     forms = discover()
     body = next(part for part in sentence if part.name in forms)

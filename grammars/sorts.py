@@ -5,12 +5,12 @@ The classes of verbs are in `words/usage.txt`, what can be neither handled nor o
 
 from __future__ import annotations
 
-import re
 from collections.abc import Sequence
 from functools import cache
 from typing import Final
 
 from grammars.alist import AList
+from grammars.morphology import lemmas
 from grammars.vocabulary import BORN, lines
 
 ABSTRACT_ENDINGS: Final = ("ness", "ity", "tude", "hood", "ism", "tion", "sion")
@@ -80,7 +80,7 @@ def is_abstract(np: AList) -> bool:
         return True
     if any(verb.value in LEARNED for rel in np.all("rel") for verb in rel.walk()):
         return True  # "everything you learned"
-    one = said if BORN.knows(said) else re.sub("ies$", "y", said).removesuffix("s")
+    one = said if BORN.knows(said) else lemmas(said, "noun")[0]
     ending = len(one) >= SHORTEST_ABSTRACT and one.endswith(ABSTRACT_ENDINGS)
     return not abstract_words().isdisjoint((said, one)) or (ending and not BORN.knows(one))
 
@@ -158,12 +158,8 @@ def may_regard(pred: AList) -> bool:
     word = qual.slot("hq")
     if loc is not None and loc.slot("prep") not in COMPLEMENTS:  # "parked behind the house"
         return word in classes()["placed"]
-    if (
-        loc is None
-        or loc.slot("prep") not in COMPLEMENTS
-        or any(deg.value == "too" for deg in qual.all("deg"))
-    ):
-        return True  # "too heavy for you"
+    if loc is None or any(deg.value == "too" for deg in qual.all("deg")):  # "too heavy for you"
+        return True
     return not BORN.knows(word) or word in classes()["regarding"]
 
 

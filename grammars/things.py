@@ -18,7 +18,6 @@ from grammars.mentions import (
     ALIKE,
     ANY_KIND,
     EVERY,
-    GROUPS,
     OWNING,
     PERSON_WORDS,
     PERSONAL,
@@ -36,7 +35,7 @@ from grammars.mentions import (
     with_apposed,
 )
 from grammars.relatives import relative
-from grammars.sorts import EITHER, agrees, is_graded, is_nothing, is_superlative, kind
+from grammars.sorts import EITHER, SEVERAL, agrees, is_graded, is_nothing, is_superlative, kind
 from grammars.vocabulary import BORN
 from kernel.memory.recall import PERSONS
 from kernel.net.graphlet import Graphlet, Sketch, Term
@@ -187,7 +186,8 @@ class Things:
             np.has("numbered") or is_superlative(np)
         ):  # "box two", "grab biggest block"
             ref = "the"
-        ref = GROUPS.get(det, "they") if self.telling and is_group(np) else ref
+        if self.telling and is_group(np):
+            ref = det if det in SEVERAL else "they"
         ref = "every" if vague in EVERY else ref
         ref = "" if ref == "the" and of_owner else ref  # "the cup of Mary's brother" is his cup
         place = "PLACE" in BORN.readings(called)

@@ -12,6 +12,8 @@ from typing import Final
 
 from grammars.alist import AList
 from grammars.sorts import (
+    HERE,
+    POSITIONS,
     ROBOT,
     classes,
     is_abstract,
@@ -34,7 +36,7 @@ PATHS: Final = frozenset("up down in out over around through along".split())
 BEHIND: Final = frozenset(
     "up down on off here there gone home away asleep awake alone alive afraid near".split()
 )
-WORKED: Final = frozenset(("up", "down", "on", "off", "here", "there"))
+WORKED: Final = POSITIONS | HERE
 SINGLE: Final = ("hand", "arm", "claw")  # of which the robot has one
 MOST_QUALITIES: Final = 2  # of a thing without an article
 ONCE: Final = ("cnt", "size", "amt")  # an action has one of each

@@ -9,7 +9,7 @@ from itertools import takewhile
 from typing import Final
 
 from grammars.alist import AList
-from grammars.sorts import HERE, classes, is_abstract, is_bare, is_people, kind, usages
+from grammars.sorts import HERE, POSITIONS, classes, is_abstract, is_bare, is_people, kind, usages
 
 WAYS: Final = frozenset(
     "left right forward backward clockwise counterclockwise sideways straight".split()
@@ -54,7 +54,7 @@ def is_somewhere(action: AList, obj: AList | None, uses: frozenset[str], pattern
         return False  # "stop to the kitchen"
     if action.slot("act") in BACKING and "forward" in dirs:
         return False
-    if "aimless" in uses and obj is not None and not (VERTICAL | SWITCHING).isdisjoint(dirs):
+    if "aimless" in uses and obj is not None and not POSITIONS.isdisjoint(dirs):
         return False  # "grab the back up"
     turned = action.has("the_other_way") or not WAYS.isdisjoint(dirs)
     if ("still" in uses and turned) or ("nowhere" in uses and not HERE.issuperset(dirs)):
@@ -155,7 +155,11 @@ def is_waiting_for_way(sentence: AList) -> bool:
         bare = next((part for part in sentence.walk() if part.name == "bare"), None)
         return bare is not None and [part.value for part in bare.walk()][-1] == "right"
     deeds = [part for part in sentence.walk() if part.name == "action"]
-    if not deeds or any(part.name != "act" for part in deeds[-1].parts):
+    if (
+        not sentence.has("right_now")
+        or not deeds
+        or any(part.name != "act" for part in deeds[-1].parts)
+    ):
         return False
     return (deeds[-1].value or deeds[-1].slot("act")) in TURNERS
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import Final
 
 from grammars.alist import AList
@@ -77,22 +78,11 @@ def fact(alist: AList) -> Fact:
 
 def _restated(alist: AList) -> AList:
     """The same in the plain order: "this is my brother Tom" is "Tom is my brother"."""
-    if (pointed_out := alist.find("pointed_out")) is not None:
-        if pointed_out.first("pred").first("kindof").slot("ako") in PARTS:
-            raise NoMeaningError("this is the end")
-        alist = AList(alist.name, (AList("clause", pointed_out.parts),))
-    if (placed := alist.find("placed")) is not None:
-        alist = AList(alist.name, (_placed(placed),))
     if (kin := alist.find("kin")) is not None:
-        alist = AList(alist.name, _kin(kin))
-    if (introduced := alist.find("introduced")) is not None:  # "this is my brother Tom"
-        kindof = AList("kindof", tuple(p for p in introduced if p.name not in ("np", "name")))
-        who = AList("np", tuple(introduced.all("name")))
-        alist = AList(alist.name, (AList("clause", (who, AList("pred", (kindof,)))),))
-    if (some := alist.find("some_so")) is not None:
-        alist = AList(alist.name, (_some_so(some),))
-    if (served := alist.find("served")) is not None:
-        alist = AList(alist.name, (_served(served),))
+        return AList(alist.name, _kin(kin))
+    for name, restated in RESTATED.items():
+        if (said := alist.find(name)) is not None:
+            return AList(alist.name, (restated(said),))
     return alist
 
 
@@ -153,8 +143,7 @@ def _kin(kin: AList) -> tuple[AList, AList]:
     if kin.parts[at].value in FINITE:  # "my heart will go on"
         raise NoMeaningError(str(kin))
     who = AList("np", (kin.parts[at],))
-    pred = AList("pred", (AList("kindof", kin.parts[:at]),))
-    return AList("clause", (who, pred)), AList("clause", (who, *kin.parts[at + 1 :]))
+    return _of_kind(who, kin.parts[:at]), AList("clause", (who, *kin.parts[at + 1 :]))
 
 
 def _some_so(some: AList) -> AList:
@@ -165,6 +154,24 @@ def _some_so(some: AList) -> AList:
     number = some.find("num_of")
     there = AList("np", thing) if number is None else AList("counted", (*number.parts, *thing))
     return AList("clause", (AList("exists", (there,)),))
+
+
+def _pointed_out(pointed_out: AList) -> AList:
+    """ "That over there is a door"."""
+    if pointed_out.first("pred").first("kindof").slot("ako") in PARTS:
+        raise NoMeaningError("this is the end")
+    return AList("clause", pointed_out.parts)
+
+
+def _introduced(introduced: AList) -> AList:
+    """ "This is my brother Tom"."""
+    said = tuple(part for part in introduced if part.name not in ("np", "name"))
+    return _of_kind(AList("np", tuple(introduced.all("name"))), said)
+
+
+def _of_kind(who: AList, said: tuple[AList, ...]) -> AList:
+    """ "Tom is my brother"."""
+    return AList("clause", (who, AList("pred", (AList("kindof", said),))))
 
 
 def _placed(placed: AList) -> AList:
@@ -189,6 +196,15 @@ def _placed(placed: AList) -> AList:
         raise NoMeaningError(str(placed))
     there = AList("np", (*thing.parts, AList("rel", (place,))))
     return AList("clause", (AList("exists", (there,)),))
+
+
+RESTATED: Final[dict[str, Callable[[AList], AList]]] = {
+    "pointed_out": _pointed_out,
+    "placed": _placed,
+    "introduced": _introduced,
+    "some_so": _some_so,
+    "served": _served,
+}
 
 
 def _named(build: Build, named: AList) -> Fact:
