@@ -11,6 +11,7 @@ from grammars.clauses import clause, condition, names
 from grammars.errors import NoMeaningError
 from grammars.mentions import somebody
 from grammars.pacing import HOLDING, TIMES, count, paced, whole
+from grammars.sorts import usages
 from grammars.usage import is_odd_end, particles
 from grammars.vocabulary import BORN
 from grammars.ways import TURNERS
@@ -25,6 +26,7 @@ P = TypeVar("P", Directive, Loop)
 TURNS: Final = frozenset(("left", "right", "clockwise", "counterclockwise", "around"))
 TURNING: Final = TURNERS | {"roll"}
 FRACTIONS: Final = {"quarter": 0.25, "half": 0.5}
+STANDING: Final = ("stop", "halt", "freeze", "wait", "pause", "rest")
 LIFTS: Final = {"up": "raise", "down": "lower"}
 
 
@@ -47,6 +49,8 @@ def plays(build: Build, play: AList) -> list[Play]:
     beside: list[Part] = []
     for part in play:
         match part.name:
+            case "action" if part.slot("act") in STANDING and _moves(play.find("acting")):
+                raise NoMeaningError(str(play))  # "stop while driving forward"
             case "action" | "acting":
                 with build.drawing(pattern=False):
                     required.append(Directive("DO", build.graphlet(build.action(part))))
@@ -98,6 +102,11 @@ def plays(build: Build, play: AList) -> list[Play]:
         made = [Play((Loop(Chain(tuple(made)), build.times, each=build.each),))]
         build.each, build.times = None, None
     return made
+
+
+def _moves(acting: AList | None) -> bool:
+    """It is done with the wheels, so far as the verb tells."""
+    return acting is not None and "steering" in usages(acting.slot("act"))
 
 
 def _is_odd_keeping(keeping: AList) -> bool:

@@ -212,6 +212,8 @@ def _doing(build: Build, part: AList, agent: str, objects: list[AList], negated:
     if put_nowhere(verb, body, objects[0] if objects else None):
         raise NoMeaningError(str(part))
     links: dict[str, str] = {"agt": agent}
+    if not objects and {"needing", "venting"} <= usages(verb):  # "until nothing thanks"
+        raise NoMeaningError(str(part))
     if objects and ("alone" in usages(verb) or (verb == "know" and not _is_knowable(objects[0]))):
         raise NoMeaningError(str(part))
     if objects and build.telling and "telling" not in usages(verb) and is_abstract(objects[0]):

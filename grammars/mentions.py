@@ -37,7 +37,7 @@ ASKING: Final = frozenset(
     "who what where when why how which whose may can could will would shall should is are do does did".split()
 )
 CONJUNCTIONS: Final = ("or", "but", "because")  # "don't tell him that or he will cry"
-UNADDRESSED: Final = ("you", "that", "this", "these", "those")
+UNADDRESSED: Final = ("you", "that", "this", "these", "those", "i", "he", "she", "they")
 FINITE: Final = frozenset("is are was were has may can will must should does did".split())
 PERSONAL: Final = frozenset("him her he she".split())
 OF_WOMEN: Final = frozenset(("she", "her"))

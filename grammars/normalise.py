@@ -16,7 +16,9 @@ from grammars.numerals import number
 
 TOKEN = re.compile(
     r"""(?P<quote>["“”][^"“”]*["“”])
-      | (?P<number>\d+(?:\.\d+)?)
+      | (?P<damaged>[^\W\d_]+\d+[^\W\d_]+)
+      | (?P<stray>(?<=\s)[.:;!?](?=[^\W\d_]))  # "drive :forward"
+      | (?P<number>\d+(?:\.\d+)?|(?<!\S)\.\d+)
       | (?P<word>[^\W\d_]+(?:['’-][^\W\d_]+)*['’]?)
       | (?P<comma>[,;:–—]|\s-\s)
       | (?P<degree>(?<=[\d\s])°)
@@ -89,6 +91,7 @@ ABBREVIATED: Final = frozenset("mr mrs ms dr prof deg ft cm mm min mins sec secs
 THANKING: Final = ("thanks", "thank")
 COUNTING: Final = frozenset("there is are was were has have had with see means say".split())
 MOST_STAMMERED: Final = 3
+MOST_TAKEN_BACK: Final = 7  # words
 
 
 @dataclass(frozen=True, slots=True)
@@ -122,8 +125,8 @@ def pieces(text: str) -> list[Piece]:
             found += _word(raw, begin, end, raw[0].isupper() and bool(found))
         elif kind == "degree":
             found.append(Piece("word", "degree", begin, end))
-        else:
-            kind = "other" if kind == "word" else kind
+        elif kind != "stray":
+            kind = "other" if kind in ("word", "damaged") else kind
             found.append(Piece(kind, "," if kind == "comma" else raw, begin, end))
     while found and found[-1].kind in ("end", "comma"):
         found.pop()
@@ -291,5 +294,7 @@ def _put_right(
     ]
     places = same or number or alike
     again = places[-1] if places else max(0, len(before) - len(after))
+    if len(before) - again > MOST_TAKEN_BACK:
+        return []  # nobody says so much before he notices
     stays = bool(places) and len(after) == 1 and sort != ["VERB"]
     return [*before[:again], *after, *(before[again + 1 :] if stays else ())]

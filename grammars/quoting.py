@@ -14,7 +14,7 @@ from grammars.errors import BrokenOffError
 from grammars.lattice import Token, guessed
 from grammars.mentions import FINITE
 from grammars.ranking import Leaf, Tree
-from grammars.sorts import abstract_words
+from grammars.sorts import abstract_words, classes
 from grammars.source import set_categories
 
 Derive = Callable[[Sequence[Token], str], Any]
@@ -31,6 +31,9 @@ SUBJECTS: Final = frozenset(
 THIRD: Final = frozenset(
     "the a an my his her its their our this that he she it somebody someone something anybody anyone nobody".split()
 )
+OBJECTS: Final = ("me", "him", "us", "them")
+NO_OPENING: Final = frozenset(("VERBED", "VERBING", "VERBS", "DIR"))
+OPENING: Final = frozenset(("NOUN", "NOUNS", "VERB", "STATE", "PROPER"))
 # After these anything is a quote; "tell me", though, mostly asks for what the robot knows.
 LITERALLY: Final = frozenset("say saying tell telling ask asking".split())
 RECITING: Final = frozenset("recite reciting".split())
@@ -45,12 +48,39 @@ def holds(tree: Tree, derive: Derive) -> bool:
     if any(_swallows([token for _, token in words], derive) for words in tree.quotes()):
         return False
     return all(
-        not (before[:2] == ["tell", "me"] and words[0][1].piece.text in WANTED)
-        and _makes_sense([token for _, token in words], derive)
-        and not (len(words) == 1 and _is_too_short(before, words[0]))
+        _may_be_spoken(before, words, derive)
         for before, words in tree.speeches()
-        if before[0] not in LITERALLY or before[:2] in ASKING_FOR
+        if before[0] not in ("say", "saying")
     )
+
+
+def _may_be_spoken(before: Sequence[str], words: Sequence[Leaf], derive: Derive) -> bool:
+    """What follows another verb than "say" makes sense, or is at least begun as a message may be."""
+    tokens = [token for _, token in words]
+    if before[:2] in ASKING_FOR:
+        wanted = before[0] == "tell" and tokens[0].piece.text in WANTED
+        ordered = _derives(tokens, "command", derive)
+        if wanted or ordered or _is_handled(tokens, derive):
+            return False
+    elif before[0] in LITERALLY:
+        return not _is_no_opening(tokens[0]) or _makes_sense(tokens, derive)
+    too_short = len(words) == 1 and _is_too_short(before, words[0])
+    return not too_short and _makes_sense(tokens, derive)
+
+
+def _is_no_opening(token: Token) -> bool:
+    """Hardly anybody begins a message so: "me everything you know", "learned today", "burning says"."""
+    if token.piece.text in OBJECTS:
+        return True
+    return bool(token.readings.keys() & NO_OPENING) and OPENING.isdisjoint(token.readings)
+
+
+def _is_handled(tokens: Sequence[Token], derive: Derive) -> bool:
+    """A thing that nobody tells: "my sneakers", and not "a joke"."""
+    last = tokens[-1]
+    thing = last.readings.get("NOUN") or last.readings.get("NOUNS", "")
+    told = not last.known or thing in abstract_words() | classes()["texts"]
+    return bool(thing) and not told and _derives(tokens, "np", derive)
 
 
 def _is_too_short(before: Sequence[str], word: Leaf) -> bool:

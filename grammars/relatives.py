@@ -9,7 +9,7 @@ from grammars.comparing import comparison
 from grammars.errors import NoMeaningError
 from grammars.mentions import PLACES, VERB_SLOTS, compounded, is_time
 from grammars.sorts import is_bare, is_kind_of_it, kind, may_regard, usages
-from grammars.usage import PUTTING, particles
+from grammars.usage import PUTTING, TIMES_OF_DAY, particles
 
 if TYPE_CHECKING:
     from grammars.things import Things
@@ -27,8 +27,8 @@ def relative(build: Things, name: str, np: AList, rel: AList) -> None:
     elif (pred := rel.find("pred")) is not None:
         if (kindof := pred.find("kindof")) is not None and not is_kind_of_it(np, kindof):
             raise NoMeaningError(str(rel))
-        if pred.has("isname"):
-            raise NoMeaningError(str(rel))  # "the block that is Janey"
+        if pred.has("isname") or any(q.slot("hq") in TIMES_OF_DAY for q in pred.all("qual")):
+            raise NoMeaningError(str(rel))  # "the block that is Janey", "that is morning"
         predicate(build, name, pred, rel.has("neg"))
     elif (made := rel.find("made_of")) is not None:
         build.quality(name, made)
@@ -49,11 +49,10 @@ def relative(build: Things, name: str, np: AList, rel: AList) -> None:
 
 
 def _may_be_told_apart(np: AList) -> bool:
-    """By what somebody does to it: not "bowl Rosie saw", nor "the basket she spins she scores"."""
-    return (
-        not (is_bare(np) and np.has("ako"))
-        and sum(rel.has("seen_by") for rel in np.all("rel")) == 1
-    )
+    """By what somebody does to it: not "bowl Rosie saw", nor "the basket she spins she scores", nor "the block that is
+    not blue you stop"."""
+    clauses = sum(rel.has("seen_by") or rel.has("pred") for rel in np.all("rel"))
+    return not (is_bare(np) and np.has("ako")) and clauses == 1
 
 
 def _seen(build: Things, name: str, seen: AList) -> None:

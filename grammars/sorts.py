@@ -90,6 +90,15 @@ def is_bare(np: AList) -> bool:
     return not any(np.has(part) for part in DETERMINED)
 
 
+def is_between_one(loc: AList) -> bool:
+    """ "Between Maureen": it takes two."""
+    things = loc.all("np")
+    alone = len(things) == 1 and not things[0].has("akos") and not things[0].has("num")
+    return (
+        loc.slot("prep") == "between" and alone and (things[0].has("name") or things[0].has("ako"))
+    )
+
+
 def is_superlative(np: AList) -> bool:
     """The most so of all: "biggest block" is the biggest block."""
     return is_bare(np) and any(qual.has("most") or qual.has("most_of") for qual in np.all("qual"))
@@ -114,6 +123,8 @@ def agrees(np: AList) -> bool:
         return False
     if _is_order(np.slot("sub")) and kind(np) not in classes()["signs"]:
         return False  # "the stop sign", and no "go kitchen"
+    if np.slot("sub") in classes()["devices"] and kind(np) not in classes()["fittings"]:
+        return not BORN.knows(kind(np))  # "the gripper motor", and no "lift juice"
     if kind(np) == ROBOT and np.has("sub") and np.slot("sub") not in classes()["robots"]:
         return False  # "pick up the block, robot"
     if np.has("numbered") and kind(np) not in classes()["numbered"]:  # "page two"

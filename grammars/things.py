@@ -35,7 +35,16 @@ from grammars.mentions import (
     with_apposed,
 )
 from grammars.relatives import relative
-from grammars.sorts import EITHER, SEVERAL, agrees, is_graded, is_nothing, is_superlative, kind
+from grammars.sorts import (
+    EITHER,
+    SEVERAL,
+    agrees,
+    is_between_one,
+    is_graded,
+    is_nothing,
+    is_superlative,
+    kind,
+)
 from grammars.vocabulary import BORN
 from kernel.memory.recall import PERSONS
 from kernel.net.graphlet import Graphlet, Sketch, Term
@@ -256,5 +265,7 @@ class Things:
 
     def place(self, role: str, name: str, loc: AList, negated: bool = False) -> str:
         """Say where something is or is done; the node of that."""
+        if is_between_one(loc):
+            raise NoMeaningError(str(loc))
         marks = [self.aside(np) for np in loc.all("np")]
         return self.add("loc", place_word(loc), negated=negated, loc=name, wrt=marks)

@@ -8,6 +8,7 @@ is in no class, and so every verb that is taught, is used in any way.
 from __future__ import annotations
 
 from functools import cache
+from itertools import takewhile
 from typing import Final
 
 from grammars.alist import AList
@@ -79,7 +80,9 @@ def is_used(action: AList, verb: str, pattern: bool) -> bool:
         return False
     if not pattern and (_lacks(action, obj, uses) or _is_upon_nothing(action)):
         return False
-    if not pattern and _is_by_way_of_speaking(action, obj):
+    if not pattern and "sensing" in uses:
+        return False  # "see the red block" is no order
+    if not pattern and (_is_by_way_of_speaking(action, obj) or _is_odd_manner(action, obj)):
         return False
     if "whole" in uses and (action.has("size") or action.has("amt")):
         return False
@@ -135,12 +138,32 @@ def _lacks(action: AList, obj: AList | None, uses: frozenset[str]) -> bool:
         or any(m.has("faster") for m in action.all("manner"))
     )
     if "handing" in uses and obj is not None and not (action.has("iobj") or action.has("dest")):
-        return is_people(obj) or obj.has("name")  # "hand visitors"
+        return is_people(obj) or obj.has("name") or is_bare(obj)  # "hand visitors", "give place"
+    if "placing" in uses and not any(map(action.has, ("place", "dest", "dir", "iobj"))):
+        return True  # "put the cup"
     lacking = "needing" in uses or any(
         sort in uses and action.has(part)
         for sort, part in (("taking", "place"), ("taking", "dest"), ("aimless", "dir"))
     )
     return (lacking and not said) or ("making" in uses and making)
+
+
+def _is_odd_manner(action: AList, obj: AList | None) -> bool:
+    """Nobody says so how: "hard make books", "quicker face arm", "water the shed wider"."""
+    before = takewhile(lambda part: part.name != "act", action.parts)
+    first = [how for how in map(_how, before) if "ADJ" in BORN.readings(how)]
+    if not classes()["urged"].issuperset(first) or (first and obj is not None and is_bare(obj)):
+        return True
+    wider = any(_how(part) == "wide" for part in action.all("manner") if part.has("faster"))
+    wider = wider or action.slot("size").endswith("wider")
+    uses = usages(action.slot("act"))
+    return wider and "still" in uses and "widened" not in uses
+
+
+def _how(manner: AList) -> str:
+    """The adverb of a manner; of "faster" it is "fast"."""
+    said = manner.find("faster") or manner
+    return said.slot("adv") or (said.value if said is not manner else "") or ""
 
 
 def _is_untimely(action: AList, uses: frozenset[str]) -> bool:
@@ -227,8 +250,9 @@ def _is_short(np: AList, told: bool = False) -> bool:
 
 
 def is_odd_end(np: AList, qual: AList) -> bool:
-    """ "Keep back up": a thing without an article, and a quality that is rather a way."""
-    return is_bare(np) and (qual.value or qual.slot("hq")) in BEHIND
+    """ "Keep back up", "keep mantels yellower": a thing without an article, and a quality that is rather a way, or none
+    to be kept."""
+    return is_bare(np) and (qual.has("more") or (qual.value or qual.slot("hq")) in BEHIND)
 
 
 def _qualities(np: AList) -> set[str]:

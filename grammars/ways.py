@@ -5,7 +5,6 @@ Nobody turns left right, drives from Rick or goes to himself. What verbs take at
 
 from __future__ import annotations
 
-from itertools import takewhile
 from typing import Final
 
 from grammars.alist import AList
@@ -28,6 +27,7 @@ NO_WAY: Final = frozenset(
     "in on off out over away here there inside outside indoors outdoors".split()
 )
 PARTICLES: Final = frozenset("in out on off up down over".split())
+NO_COURSE: Final = frozenset(("on", "around", "about"))
 SWITCHING: Final = frozenset(("on", "off"))
 TURNERS: Final = frozenset("turn rotate spin swivel pivot twirl circle twist revolve".split())
 VERTICAL: Final = frozenset(("up", "down"))
@@ -57,10 +57,21 @@ def is_somewhere(action: AList, obj: AList | None, uses: frozenset[str], pattern
     if "aimless" in uses and obj is not None and not POSITIONS.isdisjoint(dirs):
         return False  # "grab the back up"
     turned = action.has("the_other_way") or not WAYS.isdisjoint(dirs)
-    if ("still" in uses and turned) or ("nowhere" in uses and not HERE.issuperset(dirs)):
+    if _is_adrift(obj, uses, dirs) or (turned and not uses.isdisjoint(("still", "venting"))):
+        return False
+    if "nowhere" in uses and not HERE.issuperset(dirs):
         return False
     ends = [np for part in action.all("dest") for np in part.all("np")]
     return pattern or not any(map(_is_no_end, ends))
+
+
+def _is_adrift(obj: AList | None, uses: frozenset[str], dirs: list[str]) -> bool:
+    """ "Examine on", "grab it around": what is done where one is goes on in no such way."""
+    if "still" not in uses or not uses.isdisjoint(("alone", "onward")):
+        return False
+    return not (NO_COURSE if obj is not None else NO_COURSE | PARTICLES - {"up", "out"}).isdisjoint(
+        dirs
+    )
 
 
 def said_ways(action: AList) -> list[str]:
@@ -92,11 +103,7 @@ def _only_goes_on(action: AList, obj: AList | None) -> bool:
 
 
 def _is_aimless(action: AList, obj: AList | None, uses: frozenset[str]) -> bool:
-    """ "Drive a girl", "drive from Janey", "wider murmur": nobody says where to, or how."""
-    before = takewhile(lambda part: part.name != "act", action.parts)
-    hurried = [faster.value for part in before for faster in part.all("faster") if faster.value]
-    if not classes()["urged"].issuperset(hurried):
-        return True
+    """ "Drive a girl", "drive from Janey": nobody says where to."""
     turning = action.slot("act") in TURNERS
     if (
         action.has("dest")

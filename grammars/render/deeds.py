@@ -5,11 +5,12 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Final, Literal
 
-from grammars.morphology import gerund, past, third_person
+from grammars.morphology import comparative, gerund, past, third_person
 from grammars.pacing import TIMES
 from grammars.render.qualities import degree, measured
 from grammars.render.telling import Telling, linked, word
 from grammars.render.things import literally, place, thing
+from grammars.vocabulary import BORN
 from kernel.memory.editing import OTHER_WAY
 from kernel.net.graphlet import Term
 
@@ -125,11 +126,18 @@ def _modifiers(telling: Telling, term: Term) -> list[str]:
     if measures:
         measures += [word(way) for way in telling.about(name, "dir") if word(way) in _APPROXIMATE]
     degrees = [_SIZES.get(word(size), word(size)) for size in telling.take(name, "deg")]
-    manners = [degree(telling, how.name) + word(how) for how in telling.take(name, "mod")]
+    manners = [_manner(telling, how) for how in telling.take(name, "mod")]
     counts = [_times(count.literal or "1") for count in telling.take(name, "cnt")]
     # "a little quickly" would be little of the quickness
     how = (*manners, *degrees) if manners else degrees
     return [part for part in (*places, *measures, *how, *counts) if part]
+
+
+def _manner(telling: Telling, how: Term) -> str:
+    """ "Very slowly", "faster"."""
+    said = degree(telling, how.name)
+    flat = said == "more " and "ADJ" in BORN.readings(word(how))
+    return comparative(word(how)) if flat else said + word(how)
 
 
 def _times(number: str) -> str:

@@ -275,7 +275,7 @@ def _first(telling: Telling, term: Term) -> str:
         return f"{whose} {phrase}"
     if ref == "one":
         return f"the {phrase}"
-    if not ref and (numbers or noun in classes()["mass"]):
+    if not ref and (numbers or noun in classes()["mass"] or (noun == "one" and not before)):
         return phrase
     if ref == "they":
         return f"the {phrase}"

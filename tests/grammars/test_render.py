@@ -338,6 +338,14 @@ def test_the_robots_voice_has_words_for_every_form(sentence: str) -> None:
     assert not re.search(r"\b[a-z]+-\d|  |[\[\]{}]", said), "a net's name or a gap leaked"
 
 
+@pytest.mark.parametrize(
+    "sentence",
+    ["drive faster", "turn left more quickly", "find one on the left", "grab a red one"],
+)
+def test_it_is_read_back_in_the_same_words(sentence: str) -> None:
+    assert render(parse(sentence).meaning, "teacher") == sentence
+
+
 @settings(max_examples=25, deadline=None)
 @given(st.one_of(nets.commands, nets.inquiries, nets.going_on))
 def test_any_command(meaning: Meaning) -> None:
