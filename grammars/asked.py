@@ -12,6 +12,7 @@ from typing import Final
 from grammars.alist import AList
 from grammars.alternatives import one_each
 from grammars.build import Build, NoMeaningError
+from grammars.called import called
 from grammars.clauses import clause
 from grammars.comparing import regarding, seen_from_robot
 from grammars.mentions import PLACES
@@ -78,6 +79,8 @@ def drawn(build: Build, asks: AList, agent: str = "") -> Said:
     asks = seen_from_robot(asks)
     denied = asks.has("neg") or asks.has("negq")
     subject = asks.find("np")
+    if subject is not None and (named := called(build, subject, asks)):
+        return Said(named)
     if (exist := asks.find("exist")) is not None:
         return Said(_existing(build, exist))
     if (deemed := asks.find("deemed")) is not None:  # "it is dangerous to touch the lamp"

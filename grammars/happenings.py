@@ -15,6 +15,8 @@ from grammars.vocabulary import BORN
 from kernel.memory.meaning import Fact
 
 EVERYONE: Final = ("any", "every")
+US: Final = ("me", "us")
+LEAVING: Final = ("leave", "love", "dump")
 SPEAKING: Final = ("i", "we")
 # Done to what is no thing in the hand: of such doings of nobody in particular the radio talks.
 REPORTED: Final = ("telling", "reciting", "venting")
@@ -60,6 +62,8 @@ def _check(who: AList, done: AList) -> None:
         or who.slot("vague").startswith(EVERYONE)
     ):
         raise NoMeaningError(str(done))
+    if verb in LEAVING and obj is not None and obj.slot("pron") in US:
+        raise NoMeaningError("my wife left me")
     if who.has("pron") and not _is_pointed_out(who, obj, done):
         raise NoMeaningError("gossip")
     if obj is None and not (who.has("vague") or _is_seen(who)):

@@ -35,6 +35,8 @@ MAY_ORDER: Final = [
     [may, more] for may in ("may", "can") for more in ("tell", "ask", "order", "boss")
 ]
 CALLING: Final = ("called", "named")
+CALLS: Final = ("call", "calls")
+CALLED: Final = [["him"], ["her"], ["it"]]
 ARTICLES: Final = frozenset("a an the my our your his her their".split())
 PETS: Final = frozenset(
     "dog puppy spaniel poodle terrier beagle cat kitten hamster rabbit parrot horse pony".split()
@@ -172,11 +174,16 @@ def _may_be_name(token: Token, before: Sequence[Piece], after: Sequence[Token]) 
         quality = "ADJ" in token.readings and words[1:2] in (["a"], ["an"])
         return quality or (noun and pet and not ARTICLES.isdisjoint(words[1:2]))
     said = [piece.text for piece in before]
-    told = said[-1] in CALLING or said == ["name", "is"]
+    told = said[-1] in CALLING or said == ["name", "is"] or _is_calling(said)
     if not told and token.readings.keys() & set_categories():  # "Bad robot"
         return False
     nameable = ("ADJ", "NOUN", "NOUNS", *(("STRANGE",) if told else ()))
     return (told or token.piece.capital) and not token.readings.keys().isdisjoint(nameable)
+
+
+def _is_calling(said: Sequence[str]) -> bool:
+    """ "Everyone calls him Buddy"."""
+    return said[0] in CALLS and said[1:] in CALLED
 
 
 def _describes(token: Token) -> bool:

@@ -36,7 +36,8 @@ ALIKE: Final = {"him": "he", "her": "she", "them": "they", "these": "this", "tho
 ASKING: Final = frozenset(
     "who what where when why how which whose may can could will would shall should is are do does did".split()
 )
-CONJUNCTIONS: Final = ("or", "but", "because")  # "don't tell him that or he will cry"
+# "Don't tell him that or he will cry", "tell Mary about it".
+CONJUNCTIONS: Final = ("or", "but", "because", "about", "of")
 UNADDRESSED: Final = ("you", "that", "this", "these", "those", "i", "he", "she", "they")
 FINITE: Final = frozenset("is are was were has may can will must should does did".split())
 PERSONAL: Final = frozenset("him her he she".split())
@@ -186,12 +187,28 @@ def is_addressed(verb: str, speech: AList) -> bool:
         return False
     if verb == "tell" and words[0] in FINITE:
         return False
+    if hearer is None and is_greeting(words):
+        return False
     np = None if hearer is None else hearer.find("np")
     if any(is_nothing(who) for who in (listener, np) if who is not None):
+        return False
+    every = None if hearer is None else hearer.find("every")
+    if any(_is_at_home(rel) for who in (np, every) if who is not None for rel in who.all("rel")):
         return False
     if np is not None and np.slot("own") == "your" and kind(np) in persons_own():
         return False  # "say hello to your mother"
     return np is None or is_person(np) or not is_bare(np) or not BORN.knows(kind(np))
+
+
+def is_greeting(words: list[str]) -> bool:
+    """ "Say goodbye to stubborn stains": a greeting with somebody to be greeted, and no words to be said."""
+    return words[1:2] == ["to"] and not BORN.readings(words[0]).keys().isdisjoint(("HELLO", "BYE"))
+
+
+def _is_at_home(rel: AList) -> bool:
+    """ "The people at home": not here."""
+    places = [np for loc in rel.all("loc") for np in loc.all("np")]
+    return any(kind(np) == "home" and is_bare(np) for np in places)
 
 
 def may_be_person(np: AList) -> bool:

@@ -21,7 +21,8 @@ _ME: Final = AList("np", (AList("pron", value="me"),))
 def occasional(build: Build, body: AList) -> Question:
     """ "What should you say when somebody sneezes": what happens then."""
     asks = body.first("asks")
-    so = drawn(build, asks)
+    with build.drawing(pattern=True):
+        so = drawn(build, asks)
     if so.past or not so.own:
         raise NoMeaningError(str(body))
     if (conds := body.find("conds")) is not None:
@@ -37,9 +38,8 @@ def on_occasion(build: Build, about: Graphlet, body: AList, occasion: AList) -> 
     """What is asked about, with what was so on that occasion: "where did you go when I told you to turn"."""
     asked = body.find("asks")
     around = occasion.find("action", "gerunding") is not None
-    if (
-        asked is not None and not around and not any(asked.has(name) for name in PAST)
-    ):  # else it is what happens then
+    habitual = asked is not None and not any(asked.has(name) for name in PAST)
+    if habitual and not around and body.name != "why":  # else it is what happens then
         raise NoMeaningError(str(occasion))
     if occasion.has("quote"):
         build.add("act", "say", obj=build.add("txt", literal=occasion.slot("quote")))

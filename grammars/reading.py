@@ -18,6 +18,7 @@ from grammars.normalise import Piece
 from grammars.quoting import holds
 from grammars.ranking import Ranking, Tree, to_alist
 from grammars.registry import discover
+from grammars.sorts import is_of_persons
 from grammars.ways import is_waiting_for_way
 from kernel.memory.meaning import Meaning, Teach
 
@@ -25,6 +26,10 @@ MOST_REPAIRED: Final = 4  # typos in one sentence
 MOST_REPAIRS: Final = 9  # ways to repair them that are tried
 MOST_READ: Final = (
     40  # words of all attempts upon a sentence, before another way to repair it is tried
+)
+# Kinds of sentences in which the robot is spoken to as a machine.
+LESSONS: Final = frozenset(
+    "command procedure reaction before after prohibition permission revision".split()
 )
 END: Final[frozenset[str]] = frozenset()  # categories of no word
 
@@ -209,6 +214,8 @@ def _built(sentence: AList) -> tuple[str, Meaning] | None:
     forms = discover()
     body = next(part for part in sentence if part.name in forms)
     form = forms[body.name]
+    if form.kind in LESSONS and any(map(is_of_persons, body.walk())):
+        return None
     try:
         if is_single(body) and not body.has("several"):
             return form.kind, form.build(body)

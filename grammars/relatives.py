@@ -8,6 +8,7 @@ from grammars.alist import AList
 from grammars.comparing import comparison
 from grammars.errors import NoMeaningError
 from grammars.mentions import PLACES, VERB_SLOTS, compounded, is_time
+from grammars.morphology import lemmas
 from grammars.sorts import is_bare, is_kind_of_it, kind, may_regard, usages
 from grammars.usage import PUTTING, TIMES_OF_DAY, particles
 
@@ -115,7 +116,8 @@ def predicate(build: Things, name: str, pred: AList, negated: bool) -> str:
         if not may_regard(pred):
             raise NoMeaningError(str(pred))
         main, *_ = [build.quality(name, part, negated) for part in pred.all("qual")]
-        if (about := pred.find("loc")) is not None:  # "afraid of dogs"
+        about = pred.find("loc")
+        if about is not None and not _is_of_its_kind(build, name, pred, about):  # "afraid of dogs"
             build.place("loc", main, about)
         return main
     if (kindof := pred.find("kindof")) is not None:
@@ -146,6 +148,18 @@ def predicate(build: Things, name: str, pred: AList, negated: bool) -> str:
     if (belongs := pred.find("belongs")) is not None:
         return build.owned(name, belongs, negated)
     raise NoMeaningError(str(pred))
+
+
+def _is_of_its_kind(build: Things, name: str, pred: AList, about: AList) -> bool:
+    """ "The red box is the heaviest of the boxes": which such it is, is said already."""
+    most = any(qual.has("most") or qual.has("most_of") for qual in pred.all("qual"))
+    kinds = {
+        word
+        for term in build.sketch.terms.values()
+        if ("ako", name) in term.links
+        for word in term.lex
+    }
+    return most and not kinds.isdisjoint({lemmas(kind(np), "noun")[0] for np in about.all("np")})
 
 
 def kind_of(build: Things, name: str, kindof: AList, negated: bool) -> str:

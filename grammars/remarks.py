@@ -14,6 +14,10 @@ from grammars.vocabulary import BORN, set_phrases
 # What somebody does without ever being at it; such a saying is no deed that could be watched.
 MENTAL: Final = frozenset("know like love hate want need own prefer fear see mean".split())
 STATIVE: Final = MENTAL | {"get", "take"}
+# What the robot may be told that it does; the rest it knows best, or is told to do.
+YOURS: Final = MENTAL | set(
+    "have belong work hold carry weigh wear look obey trust listen eat drink speak cost come".split()
+)
 STANDING: Final = ("stand", "lie", "sit", "hang", "lean", "rest", "live", "wait", "sleep", "float")
 IT: Final = ("it", "that", "this")
 POINTING: Final = ("the", "this", "that", "these", "those")
@@ -38,6 +42,10 @@ def check_subject(said: AList) -> None:
     pred = said.find("pred")
     if pred is not None and pred.has("isname"):
         raise NoMeaningError("a name; read as such")
+    if said.slot("does") == "call" and not said.has("place"):  # "everyone calls him", what
+        raise NoMeaningError(str(said))
+    if said.has("should") or _is_told_off(said):
+        raise NoMeaningError("advice")
     loc = None if pred is None else pred.find("loc")
     if loc is not None and any(map(is_abstract, loc.all("np"))):
         raise NoMeaningError("in a mood, under the weather")
@@ -64,8 +72,26 @@ def check_subject(said: AList) -> None:
         or (vague and pred is not None and pred.has("kindof"))
     )
     speaking = subject.slot("pron") in (("i", "me", "we") if _has_something(said) else ("i", "me"))
-    if generic or (speaking and not _is_owning(said)) or _is_saying(said, subject):
+    if (
+        generic
+        or (speaking and not _is_owning(said) and not _is_beside(said))
+        or _is_saying(said, subject)
+    ):
         raise NoMeaningError(str(said))
+
+
+def _is_told_off(said: AList) -> bool:
+    """ "You turn your back": what the robot does it knows best."""
+    subject, verb = said.find("np", "base_np"), said.slot("does")
+    yours = subject is not None and subject.slot("pron") == "you"
+    return yours and bool(verb) and verb not in YOURS and verb not in STANDING
+
+
+def _is_beside(said: AList) -> bool:
+    """ "I'm behind you": where the speaker is, from the robot."""
+    pred = said.find("pred") or said
+    places = [np for loc in pred.all("loc") for np in loc.all("np")]
+    return bool(places) and all(np.slot("pron") == "you" for np in places) and not pred.has("qual")
 
 
 def _has_something(said: AList) -> bool:

@@ -63,6 +63,16 @@ def abstract_words() -> frozenset[str]:
     return frozenset(word for line in lines("abstract") for word in line.split())
 
 
+def is_of_persons(np: AList) -> bool:
+    """ "Your breath", "your seats": what the robot has none of; its friends it may have, and a hat."""
+    said = kind(np)
+    if np.name != "np" or np.slot("own") != "your" or is_people(np):
+        return False
+    one = said if BORN.knows(said) and not np.has("akos") else lemmas(said, "noun")[0]
+    several = np.has("akos") and one in classes()["belongings"]
+    return several or (one in persons_own() and one not in classes()["belongings"])
+
+
 def kind(np: AList) -> str:
     """What a thing is called, or ""."""
     return np.slot("ako") or np.slot("akos")
@@ -167,11 +177,22 @@ def may_regard(pred: AList) -> bool:
     """The quality may regard something: "afraid of dogs", and not "empty of you"."""
     loc, qual = pred.find("loc"), pred.first("qual")
     word = qual.slot("hq")
-    if loc is not None and loc.slot("prep") not in COMPLEMENTS:  # "parked behind the house"
-        return word in classes()["placed"]
+    if qual.has("most") or qual.has("most_of"):  # "the tallest of the boys"
+        return loc is None or loc.slot("prep") == "of"
+    if loc is not None and _is_somewhere(word, loc):
+        return True
+    if loc is not None and loc.slot("prep") not in COMPLEMENTS:
+        return False
     if loc is None or any(deg.value == "too" for deg in qual.all("deg")):  # "too heavy for you"
         return True
     return not BORN.knows(word) or word in classes()["regarding"]
+
+
+def _is_somewhere(quality: str, loc: AList) -> bool:
+    """ "Parked behind the house", "awake at the desk"; "cold in the cellar", and not "in winter"."""
+    of_place = loc.slot("prep") not in COMPLEMENTS or loc.slot("prep") == "at"
+    weather = quality in classes()["ambient"] and not any(map(is_bare, loc.all("np")))
+    return of_place and (quality in classes()["placed"] or weather)
 
 
 def is_graded(quality: str, degrees: Sequence[str]) -> bool:

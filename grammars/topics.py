@@ -5,9 +5,10 @@ from __future__ import annotations
 from typing import Final
 
 from grammars.alist import AList
-from grammars.build import Build
+from grammars.build import Build, NoMeaningError
 from grammars.clauses import clause, condition
 from grammars.relatives import predicate
+from grammars.remarks import MENTAL
 from kernel.memory.meaning import Ask, Question
 from kernel.net.graphlet import Graphlet
 
@@ -36,7 +37,6 @@ TOPICS: Final[dict[str, tuple[Ask, str]]] = {
     "abilities": ("what", "abilities"),
     "whoami": ("who", "identity"),
     "allowed": ("yesno", "allowed"),
-    "when_learned": ("when", "taught"),
     "when_did": ("when", "did"),
     "would": ("what", "would"),
 }
@@ -55,6 +55,9 @@ def of_topic(build: Build, body: AList) -> Question:
     ask, topic = TOPICS[body.name]
     if body.name == "why" and (body.has("pred") or body.has("does_q")):
         topic = "taught"  # what is so has no doer, but a source
+    action = body.find("action")
+    if topic == "know_how" and action is not None and action.slot("act") in MENTAL:
+        raise NoMeaningError("how do you like your eggs")
     if body.has("any_happens"):
         ask = "yesno"
     chain = body.find("chain")
@@ -127,9 +130,21 @@ def obeys(build: Build, body: AList) -> Question:
     return Question("yesno", build.graphlet(main), "", "orders")
 
 
+def when_learned(build: Build, body: AList) -> Question:
+    """ "When did you learn to bow", "when did Olga teach you to bow"."""
+    taught = _about(build, body).main
+    if (teacher := body.find("teacher")) is not None:
+        who = build.thing(teacher.first("np"), person=True)
+        build.add("act", "teach", agt=who, dest=build.oneself("you"), cmd=taught)
+    return Question("when", build.graphlet(taught), "", "taught")
+
+
 def steps(build: Build, body: AList) -> Question:
-    """ "How many steps are there in your dance": they are told."""
+    """ "How many steps are there in your dance", "what is the first step of the dance": they are told."""
     act = build.action(body.find("action") or AList("action", (body.first("act"),)))
     step = build.add("obj")
     build.kind(step, "step")
+    if place := body.slot("ord"):
+        build.add("hq", place, hq=step)
+        return Question("what", build.graphlet(act), step, "know_how")
     return Question("howmany", build.graphlet(act), step, "know_how")

@@ -13,6 +13,7 @@ from grammars.asked import BLANK, DESCRIBING, YOU, Said, by_robot, drawn, fill, 
 from grammars.build import Build, NoMeaningError
 from grammars.mentions import EVERY, PLACES, compounded
 from grammars.pacing import TIMES
+from grammars.remarks import MENTAL
 from grammars.sorts import kind
 from grammars.topics import DEEDS
 from kernel.memory.meaning import Ask, Question
@@ -94,6 +95,8 @@ def asked_thing(build: Build, wh: AList) -> tuple[Ask, str, str]:
     if (word in ("who", "whom") and described) or (bare and word not in BARE):
         raise NoMeaningError(str(wh))
     np = wh.find("np") or AList("np", described)
+    if wh.has("np"):  # "which of the boxes" is which box
+        np = AList("np", tuple(part for part in np if part.name != "det"))
     number = wh.slot("num")
     thing = build.thing(np) if np.parts else build.add("obj")
     if number:
@@ -205,6 +208,9 @@ def adverbial(build: Build, body: AList) -> Question:
         raise NoMeaningError(str(body))  # "how long would you say you've had it"
     so = drawn(build, asks)
     act = bool(so.inner)
+    yours = (asks.find("np") or YOU).slot("pron") == "you"
+    if word == "how" and yours and build.sketch.terms[so.main].lex & MENTAL:
+        raise NoMeaningError("how do you like your eggs")
     if word == "where":
         return _where(build, so)
     how = wh.find("how_adv")

@@ -8,6 +8,7 @@ from typing import Final
 from grammars.alist import AList
 from grammars.build import Build, NoMeaningError
 from grammars.clauses import clause
+from grammars.comparing import regarding
 from grammars.dates import dated
 from grammars.happenings import happened
 from grammars.mentions import FINITE, OWNING, is_definite, is_person, is_time, may_be_person
@@ -35,6 +36,7 @@ EXAMPLES = (
     "I'm very tired",
 )
 
+DREADING: Final = ("afraid", "scared", "frightened", "terrified", "allergic", "fond")
 PARTS: Final = "end start beginning point way case thing last limit".split()
 
 
@@ -56,6 +58,8 @@ def fact(alist: AList) -> Fact:
     if (deed := alist.find("past_deed")) is not None:
         return happened(build, deed)
     if (feeling := alist.find("feeling")) is not None:  # "I'm hungry"
+        if (dreading := feeling.find("dreading")) is not None:
+            return _dreading(build, dreading)
         with build.drawing(pattern=False):
             hq = build.quality(build.oneself("me"), feeling, feeling.has("neg"))
             return Fact(build.graphlet(hq))
@@ -74,6 +78,15 @@ def fact(alist: AList) -> Fact:
             mains.append(_but(build, mains[0], denied))
         told = build.graphlet(mains[0])
     return Fact(told, tuple(build.finds))
+
+
+def _dreading(build: Build, dreading: AList) -> Fact:
+    """ "I am afraid of dogs"."""
+    if dreading.slot("hq") not in DREADING or is_abstract(dreading.first("np")):
+        raise NoMeaningError(str(dreading))
+    with build.drawing(pattern=False):
+        hq = regarding(build, build.oneself("me"), dreading)
+        return Fact(build.graphlet(hq), tuple(build.finds))
 
 
 def _restated(alist: AList) -> AList:

@@ -16,7 +16,8 @@ from grammars.occasions import either_so, occasional, on_occasion, since_told
 from grammars.registry import sentence_form
 from grammars.relatives import predicate
 from grammars.sorts import kind
-from grammars.topics import may_be_about, obeys, of_topic, steps, what_stops
+from grammars.topics import may_be_about, obeys, of_topic, steps, what_stops, when_learned
+from grammars.vocabulary import BORN
 from grammars.wanted import (
     ASKS,
     adverbial,
@@ -124,6 +125,8 @@ def _holding(build: Build, body: AList) -> Question:
 
 def _color(build: Build, body: AList) -> Question:
     """ "What color is the block": the wanted quality is itself of a kind, as in the paper's figure."""
+    if "PERSON" in BORN.readings(body.slot("attribute")):  # "what is Tom's sister"
+        raise NoMeaningError(str(body))
     thing = build.thing(body.find("np") or _owned(build, body))
     hq = build.add("hq", hq=thing)
     build.add("ako", body.slot("attribute"), ako=hq)
@@ -197,6 +200,8 @@ def _yesno(build: Build, body: AList) -> Question:
         return whether(build, asks)
     if (done := body.find("gerunding")) is not None:  # "have you finished turning"
         return Question("yesno", build.graphlet(build.action(done)), "", "did")
+    if (way := body.find("action")) is not None:  # "you know how to waltz, don't you"
+        return Question("yesno", build.graphlet(build.action(way)), "", "know_how")
     subject = body.find("np")
     agent = build.oneself("you") if subject is None else build.thing(subject)
     if body.has("pred"):  # "are all birds animals"
@@ -283,6 +288,7 @@ SO: Final[dict[str, Callable[[Build, AList], Question]]] = {
     "steps": steps,
     "occasional": occasional,
     "since_told": since_told,
+    "when_learned": when_learned,
     "day_so": day_asked,
     "what_day": day_asked,
     "subject": subject,

@@ -52,6 +52,8 @@ def rule(alist: AList) -> Teach:
     pred = said.find("pred")
     if generic is not None and pred is not None and any(q.value for q in pred.all("qual")):
         raise NoMeaningError("of a quality that nobody taught")  # "diamonds are forever"
+    if generic is not None and pred is not None and _is_proverb(pred):
+        raise NoMeaningError("a proverb")
     if generic is not None and _same_said(condition_, then):
         raise NoMeaningError("what is done is done")
     described = condition_.names
@@ -64,6 +66,12 @@ def rule(alist: AList) -> Teach:
     hedge = next(filter(None, hedges), said.slot("may") and "may")
     rule_ = Rule(condition_, then, exception(build, alist), belief(hedge))
     return Teach("rule", rule_)
+
+
+def _is_proverb(pred: AList) -> bool:
+    """ "Dogs are a man's best friend": somebody's, and nobody's in particular."""
+    owners = [owner for kindof in pred.all("kindof") for owner in kindof.all("owner")]
+    return any(owner.slot("det") in ("a", "an") for owner in owners)
 
 
 def _is_anybody(np: AList) -> bool:

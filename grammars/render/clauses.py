@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Final
 
 from grammars.earley import closed_words
@@ -211,7 +211,7 @@ def wonder(telling: Telling, name: str) -> str:
 
 def naming(telling: Telling, term: Term, told: bool = False) -> Clause:
     """The thing is called so: the main node is no predicate but has a name; told: as news."""
-    subject = thing(telling, term.name, "subject")
+    subject = thing(telling, term.name, "subject") if told else _unnamed(telling, term)
     plural = bool(BORN.readings(word(term)).keys() & {"NOUNS"})
     called = "called " if plural or (told and not term.negated and " " in subject) else ""
     rest = ("not " if term.negated else "") + called + proper(word(term))
@@ -220,6 +220,15 @@ def naming(telling: Telling, term: Term, told: bool = False) -> Clause:
     if subject == proper(word(term)):
         subject = term.ref if term.ref in POINTING else "something"
     return Clause(subject, be(subject), f"{be(subject)} {rest}", rest)
+
+
+def _unnamed(telling: Telling, term: Term) -> str:
+    """The thing without its name: "the dog" of "is the dog Rex"."""
+    if term.ref not in ("", *POINTING) or telling.about(term.name, "ako"):
+        telling.terms[term.name] = replace(term, lex=frozenset())
+    subject = thing(telling, term.name, "subject")
+    telling.terms[term.name] = term
+    return subject
 
 
 def _kind_denied(telling: Telling, term: Term, name: str) -> list[Term]:
@@ -241,7 +250,8 @@ def _such(telling: Telling, name: str, whose: str, phrase: str, after: str = "")
     """What a thing, or several, are: "a big dog", "my brother", "twins"."""
     several = telling.several(name)
     noun = plural(phrase) if several else phrase
-    return " ".join(filter(None, (whose or ("" if several else article(noun)), noun, after)))
+    own = whose or ("" if several else article(noun))
+    return " ".join(filter(None, (own, noun, after)))
 
 
 def _as_kind(telling: Telling, term: Term) -> str:
@@ -249,10 +259,17 @@ def _as_kind(telling: Telling, term: Term) -> str:
     owners = [linked(own, "of") for own in telling.take(name, "own")]
     whose = thing(telling, owners[0], "possessive") if owners else ""
     more = telling.take(name, "ako")
+    most = _is_most(telling, name)
     before, _, after = description(telling, name, "")
     telling.release(more)
     phrase = " ".join(filter(None, (before, kind(telling, term))))
-    return _such(telling, name, whose, phrase, after)
+    return _such(telling, name, whose or ("the" if most else ""), phrase, after)
+
+
+def _is_most(telling: Telling, name: str) -> bool:
+    """It is the most so of its kind: "the tallest boy"."""
+    qualities = telling.about(name, "hq")
+    return any(word(deg) == "most" for hq in qualities for deg in telling.about(hq.name, "deg"))
 
 
 def _as_quality(telling: Telling, term: Term) -> str:

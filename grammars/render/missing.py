@@ -4,11 +4,12 @@ from __future__ import annotations
 
 from typing import Final
 
-from grammars.morphology import plural
+from grammars.morphology import past, plural
 from grammars.render.deeds import be, deed
 from grammars.render.telling import Telling, linked, word
-from grammars.render.things import description, thing
+from grammars.render.things import description, pronoun, thing
 from kernel.memory.meaning import Question
+from kernel.net.graphlet import Graphlet
 
 GAPPED: Final = ("did", "doing", "allowed", "extent")
 ADVERBS: Final = ("where", "how", "which")
@@ -87,6 +88,20 @@ def ordered(telling: Telling, asked: Question) -> str:
     return spaced(f"{head} did {thing(telling, agent, 'subject')} tell {rest}")
 
 
+def occasion(telling: Telling, about: Graphlet) -> str:
+    """On what occasion it was: " when Mary came in"; nothing, if on none in particular."""
+    inner = {other for term in about for role, other in term.links if role in ("obj", "cmd")}
+    told = {about.main, *telling.stated, *inner}
+    acts = [term for term in about if term.kind == "act" and term.name not in told]
+    if len(acts) != 1 or acts[0].negated:
+        return ""
+    agent = linked(acts[0], "agt")
+    telling.stated.add(acts[0].name)
+    someone = "me" if word(acts[0]) == "say" else "you"
+    who = thing(telling, agent, "subject") if agent else pronoun(telling, someone, "subject")
+    return f" when {who} {past(deed(telling, acts[0].name, told=True))}"
+
+
 def _deed_or_do(telling: Telling, name: str) -> str:
     return deed(telling, name) if telling.term(name).lex else "do"
 
@@ -98,5 +113,5 @@ def spaced(text: str) -> str:
 
 def bare(telling: Telling, name: str, several: bool) -> str:
     """The description of a thing without article."""
-    before, noun, after = description(telling, name, "one")
+    before, noun, after = description(telling, name, "thing" if several else "one")
     return " ".join(filter(None, (before, plural(noun) if several else noun, after)))

@@ -7,7 +7,16 @@ from typing import Final
 from grammars.morphology import comparative
 from grammars.render.clauses import Clause, clause, conditions, naming
 from grammars.render.deeds import be, deed
-from grammars.render.missing import ADVERBS, GAPPED, bare, ordered, own_deed, question_words, spaced
+from grammars.render.missing import (
+    ADVERBS,
+    GAPPED,
+    bare,
+    occasion,
+    ordered,
+    own_deed,
+    question_words,
+    spaced,
+)
 from grammars.render.procedures import procedure
 from grammars.render.telling import Telling, Voice, is_predicate, linked, word
 from grammars.render.things import thing
@@ -15,6 +24,7 @@ from grammars.sorts import classes
 from kernel.memory.meaning import Question
 from kernel.net.graphlet import Graphlet, Term
 
+OCCASIONAL: Final = ("did", "why", "ordered")  # what was done on some occasion
 # What is asked as "what color is it", and not as "what is its name".
 _SEEN: Final = ("day", "color", "size", "shape", "kind", "make", "brand")
 
@@ -23,6 +33,11 @@ def question(asked: Question, voice: Voice) -> str:
     """The question itself: "is Mary a person", "where is the red block"."""
     telling = Telling((asked.about,), (), voice)
     telling.join(asked.about)
+    text = _question(telling, asked, voice)
+    return text + (occasion(telling, asked.about) if asked.topic in OCCASIONAL else "")
+
+
+def _question(telling: Telling, asked: Question, voice: Voice) -> str:
     main = asked.about.main
     you, me = ("I", "me") if voice == "robot" else ("you", "you")
     named = asked.topic != "allowed" or telling.term(main).lex
@@ -70,6 +85,11 @@ def question(asked: Question, voice: Voice) -> str:
             return f"what do {you} know about {thing(telling, main)}"
         case "know_how" if asked.ask == "yesno":
             return f"do {you} know how to {deed(telling, main)}"
+        case "know_how" if asked.ask == "what":
+            nth = word(telling.take(asked.wanted, "hq")[0])
+            return f"what is the {nth} step of the {deed(telling, main)}"
+        case "know_how" if asked.ask == "howmany":
+            return f"how many steps does it take to {deed(telling, main)}"
         case "know_how":
             return f"how do {you} {deed(telling, main)}"
         case "means":
@@ -108,12 +128,17 @@ def _taught(telling: Telling, asked: Question, you: str, me: str) -> str:
         if asked.ask == "why":
             return f"why {said.verb} {said.subject} {said.asked}"
         return f"who told {me} that {said}"
+    if main.kind == "obj":
+        told = "when did {you} learn" if asked.ask == "when" else "who told {me}"
+        return f"{told.format(you=you, me=me)} about {thing(telling, main.name)}"
     what = f"to {deed(telling, main.name)}" if main.lex else "that"
     teaching = next(
         (term for term in telling.terms.values() if linked(term, "cmd") == main.name), None
     )
     if teaching is not None and asked.ask == "yesno":
         return f"did {thing(telling, linked(teaching, 'agt'), 'subject')} teach {me} {what}"
+    if teaching is not None and asked.ask == "when":
+        return f"when did {thing(telling, linked(teaching, 'agt'), 'subject')} teach {me} {what}"
     if asked.ask == "when":
         return f"when did {you} learn {what}"
     return f"who told {me} not {what}" if main.negated else f"who taught {me} {what}"

@@ -35,7 +35,6 @@ PRONOUNS: Final = {
 }
 _DETERMINERS: Final = ("the", "this", "that", "these", "those", "every", "any", "all", "each")
 # What one is doing still, and what one does all the time, where that tells which thing is meant.
-_VAGUE: Final = {"somebody": "somebody", "every": "everything"}
 _ABSOLUTE: Final = {"my": "mine", "your": "yours", "her": "hers", "their": "theirs"}
 _BE: Final = {"I": "am", "you": "are"}
 _ONGOING: Final = ("hold", "carry", "wear", "watch")
@@ -112,7 +111,8 @@ def place(telling: Telling, term: Term) -> str:
     far = [measured(amt.literal or "1", word(amt)) for amt in telling.take(term.name, "amt")]
     if landmarks:
         return " ".join((*far, word(term), " and ".join(landmarks)))
-    return word(term) if " " in word(term) else f"on the {word(term)}"
+    whole = " " in word(term) or word(term) in classes()["storeys"]
+    return word(term) if whole else f"on the {word(term)}"
 
 
 def described(telling: Telling, name: str) -> bool:
@@ -267,7 +267,7 @@ def _first(telling: Telling, term: Term) -> str:
     if ref == "every" and noun == "person" and not before and not whose:
         return " ".join(filter(None, ("everybody", after)))
     if not noun:
-        vague = _VAGUE.get(ref, "something")
+        vague = {"somebody": "somebody", "every": "everything"}.get(ref, "something")
         return " ".join(filter(None, (vague, before, after)))
     several = bool(numbers) or ref in GROUPS
     phrase = " ".join(filter(None, (*numbers, before, plural(noun) if several else noun, after)))
