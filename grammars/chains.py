@@ -235,9 +235,11 @@ def bare_chain(bare: AList) -> AList:
             continue
         ahead = next((p.value for p in parts if p.name == "dir"), None)
         way = "up" if part.find("higher") is not None else (ahead or "")
-        unit = parts[0].slot("unit") if parts[0].name == "amt" else ""
-        if unit in TIMES or (unit != "degree" and unit and way == "left"):
-            raise NoMeaningError(str(part))  # "two minutes left", "ten inches left": what remains
+        unit = next((p.slot("unit") for p in parts if p.name == "amt"), "")
+        if unit in TIMES or (unit != "degree" and unit and way in ("left", "around")):
+            raise NoMeaningError(
+                str(part)
+            )  # "two minutes left", "ten inches left": what remains; "around three inches"
         verb = "turn" if way in TURNS else LIFTS.get(way, "drive")
         rest = parts
         if verb in LIFTS.values():

@@ -37,5 +37,8 @@ def day_asked(build: Build, body: AList) -> Question:
     """ "Is it Monday", "what day is tomorrow"."""
     if body.name == "day_so":
         return Question("yesno", build.graphlet(dated(build, body)))
-    hq = build.add("hq", hq=build.thing(body.find("np") or TODAY))
+    day = body.find("np") or TODAY
+    if not day.has("name") and kind(day) not in classes()["occasions"]:  # "when is the bus"
+        raise NoMeaningError(str(body))
+    hq = build.add("hq", hq=build.thing(day))
     return Question("what", build.graphlet(hq), hq)

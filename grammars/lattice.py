@@ -20,6 +20,7 @@ from grammars.normalise import (
     without_emphasis,
     without_repeats,
 )
+from grammars.sorts import HERE
 from grammars.source import set_categories
 from grammars.vocabulary import OPEN, Vocabulary, set_phrases
 
@@ -169,7 +170,7 @@ def _may_be_name(token: Token, before: Sequence[Piece], after: Sequence[Token]) 
         kinds = [next_.piece.text for next_ in after[2:] if not _describes(next_)]
         pet = not PETS.isdisjoint((*kinds[:1], *kinds[-1:]))  # "Biscuit is the neighbor's dog"
         noun = not token.readings.keys().isdisjoint(("NOUN", "NOUNS"))
-        if words[:1] not in (["is"], ["'s"]):
+        if words[:1] not in (["is"], ["'s"]) or token.piece.text in HERE:
             return False
         quality = "ADJ" in token.readings and words[1:2] in (["a"], ["an"])
         return quality or (noun and pet and not ARTICLES.isdisjoint(words[1:2]))

@@ -37,12 +37,17 @@ def in_a_while(play: AList) -> AList | None:
     )
 
 
+def _is_back(action: AList) -> bool:
+    """ "Back in an hour": who is there again, and no way to drive."""
+    return (action.value or action.slot("act")) == "back" and not action.has("dir")
+
+
 def waited(delayed: AList) -> AList:
     """ "In ten seconds turn left": wait as long, then do it."""
     action = delayed.find("action") or delayed
     amt = (delayed if action is not delayed else action).first("in_a_while").first("amt")
     wait = _waiting(amt)
-    if "sensing" in usages(action.slot("act")):
+    if "sensing" in usages(action.slot("act")) or _is_back(action):
         raise NoMeaningError(str(delayed))  # "see a thread in an hour"
     now = AList("action", tuple(part for part in action if part.name != "in_a_while"))
     return AList("chain", tuple(AList("play", (a,)) for a in (wait, now)))

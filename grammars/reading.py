@@ -29,8 +29,11 @@ MOST_READ: Final = (
 )
 # Kinds of sentences in which the robot is spoken to as a machine.
 LESSONS: Final = frozenset(
-    "command procedure reaction before after prohibition permission revision".split()
+    "command procedure reaction before after prohibition permission revision fact".split()
 )
+# What nobody asks: "you like her?" asks whether it is true.
+STATED: Final = LESSONS - {"command", "revision"} | {"rule", "alias"}
+SUPPOSED: Final = tuple(Piece("word", word, 0, 0) for word in ("is", "it", "true", "that"))
 END: Final[frozenset[str]] = frozenset()  # categories of no word
 
 
@@ -117,10 +120,17 @@ class Reader:
     cost: Mapping[int, int]
     reached: int = 0
 
+    @property
+    def asked(self) -> bool:
+        """It is written as a question."""
+        return self.text.rstrip().endswith("?")
+
     def readings(self, found: list[Piece], strange: Sequence[int]) -> Iterator[Parsed]:
         """What it means as it stands, else with its typos repaired, else with its one unknown word guessed."""
         for variant in variants(found, self.lexer.vocabulary):
             yield from self.read(variant)
+        if self.asked:
+            yield from self.read([*SUPPOSED, *found])
         # Where reading broke off before the first strange word, another word in its place cannot help.
         if 0 < len(strange) <= MOST_REPAIRED and strange[0] <= self.reached:
             yield from self.repaired(found, strange, likely=True)
@@ -159,6 +169,7 @@ class Reader:
             for tree in Ranking(self.cost, {}).best(forest)
             if holds(tree, self.attempts.derive)
             if (meant := _built(alist := to_alist(tree, self.text))) is not None
+            if not (self.asked and meant[0] in STATED)
         ]
         for alist, tree, kind, meaning in made[:1]:
             others = tuple(other for other, *_ in made[1:])

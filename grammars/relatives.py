@@ -136,6 +136,8 @@ def predicate(build: Things, name: str, pred: AList, negated: bool) -> str:
         build.sketch.change(name, lex=frozenset((called.slot("name"),)))
         return build.put(name)
     if (measured := pred.find("measured")) is not None:  # "3 meters long"
+        if not measured.has("unit"):  # "Lily is seven"
+            measured = _years(build, name, measured)
         hq = build.quality(name, measured, negated)
         build.add(
             "amt", measured.slot("unit").removesuffix("s"), literal=measured.slot("num"), amt=hq
@@ -160,6 +162,15 @@ def _is_of_its_kind(build: Things, name: str, pred: AList, about: AList) -> bool
         for word in term.lex
     }
     return most and not kinds.isdisjoint({lemmas(kind(np), "noun")[0] for np in about.all("np")})
+
+
+def _years(build: Things, name: str, measured: AList) -> AList:
+    """ "Lily is seven": so many years old, which nobody says so of but persons."""
+    if not any(thing.name == name and (thing.person or thing.called) for thing in build.things):
+        raise NoMeaningError(str(measured))
+    return AList(
+        "measured", (*measured.parts, AList("unit", value="year"), AList("hq", value="old"))
+    )
 
 
 def kind_of(build: Things, name: str, kindof: AList, negated: bool) -> str:

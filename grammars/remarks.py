@@ -16,8 +16,9 @@ MENTAL: Final = frozenset("know like love hate want need own prefer fear see mea
 STATIVE: Final = MENTAL | {"get", "take"}
 # What the robot may be told that it does; the rest it knows best, or is told to do.
 YOURS: Final = MENTAL | set(
-    "have belong work hold carry weigh wear look obey trust listen eat drink speak cost come".split()
+    "have belong work hold carry weigh wear obey trust listen eat drink speak cost play".split()
 )
+THIRD: Final = ("he", "she", "it", "they", "we")
 STANDING: Final = ("stand", "lie", "sit", "hang", "lean", "rest", "live", "wait", "sleep", "float")
 IT: Final = ("it", "that", "this")
 POINTING: Final = ("the", "this", "that", "these", "those")
@@ -28,11 +29,20 @@ def check_absence(said: AList) -> None:
     """What there is none of, there is none of somewhere: "there is no milk in the fridge", but no free lunch at all."""
     exists = said.find("exists")
     thing = exists.find("np") if exists is not None else None
+    if (
+        thing is not None and is_abstract(thing) and not _is_in_place(thing)
+    ):  # "there's a difference"
+        raise NoMeaningError(str(said))
     if exists is None or thing is None or not (exists.has("neg") or thing.slot("det") == "no"):
         return
-    places = [loc for rel in thing.all("rel") for loc in rel.all("loc")]
-    if not any(is_definite(np) for loc in places for np in loc.all("np")):
+    if not _is_in_place(thing):
         raise NoMeaningError(str(said))
+
+
+def _is_in_place(thing: AList) -> bool:
+    """It is somewhere in particular."""
+    places = [loc for rel in thing.all("rel") for loc in rel.all("loc")]
+    return any(is_definite(np) for loc in places for np in loc.all("np"))
 
 
 def check_subject(said: AList) -> None:
@@ -81,10 +91,13 @@ def check_subject(said: AList) -> None:
 
 
 def _is_told_off(said: AList) -> bool:
-    """ "You turn your back": what the robot does it knows best."""
-    subject, verb = said.find("np", "base_np"), said.slot("does")
-    yours = subject is not None and subject.slot("pron") == "you"
-    return yours and bool(verb) and verb not in YOURS and verb not in STANDING
+    """ "You turn your back": what the robot does it knows best; "they raise the roof": what somebody does to something
+    that only a pronoun tells of."""
+    things, verb = said.all("np", "base_np"), said.slot("does")
+    pron = things[0].slot("pron") if things else ""
+    if not verb or verb in YOURS or verb in STANDING:
+        return False
+    return pron == "you" or (pron in THIRD and (len(things) > 1 or said.has("iobj")))
 
 
 def _is_beside(said: AList) -> bool:
@@ -143,9 +156,11 @@ def _is_remark(said: AList, pron: str) -> bool:
 
 
 def _is_verdict(pron: str, qual: AList) -> bool:
-    """ "That's too loud": of what was done, as no thing is too fast."""
+    """ "That's too loud": of what was done, as no thing is too fast; "you are too close"."""
     way = qual.slot("hq")
     too = any(deg.value == "too" for deg in qual.all("deg"))
+    if too and pron == "you":
+        return True
     return too and pron in IT and not NOT_TOO.keys().isdisjoint((way, f"{way}ly"))
 
 

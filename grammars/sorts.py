@@ -70,7 +70,9 @@ def is_of_persons(np: AList) -> bool:
         return False
     one = said if BORN.knows(said) and not np.has("akos") else lemmas(said, "noun")[0]
     several = np.has("akos") and one in classes()["belongings"]
-    return several or (one in persons_own() and one not in classes()["belongings"])
+    return several or (
+        one in persons_own() and one not in (classes()["belongings"] | classes()["furniture"])
+    )
 
 
 def kind(np: AList) -> str:
@@ -127,8 +129,9 @@ def agrees(np: AList) -> bool:
     quals = {qual.slot("hq") for qual in np.all("qual")}
     if np.has("vague") and (quals & POSITIONS or any(qual.has("most") for qual in np.all("qual"))):
         return False  # "something up", "something stickiest"
-    if is_bare(np) and quals & HERE:  # "are there red blocks" asks of no "there blocks"
-        return False
+    switched = kind(np) in classes()["switches"]
+    if is_bare(np) and (quals & HERE or (quals & POSITIONS and not switched)):
+        return False  # "are there red blocks" asks of no "there blocks", nor "run on batteries" of "on batteries"
     if np.has("akos") and any(rel.has("name") for rel in np.all("rel")):  # "suits called Tommy"
         return False
     if _is_order(np.slot("sub")) and kind(np) not in classes()["signs"]:

@@ -75,6 +75,8 @@ def _about(build: Build, body: AList) -> Graphlet:
         so = does_so(build, does, build.thing(body.first("np")))
         build.sketch.change(so, negated=body.has("neg"))
         return build.graphlet(so)
+    if body.name == "takes" and (named := body.find("act")) is not None:  # "the dance"
+        return build.graphlet(build.action(AList("action", (named,))))
     if (action := body.find(*DEEDS)) is not None:
         act = build.action(action)
         if any(part.name == "neg" for part in body):
@@ -121,6 +123,12 @@ def what_stops(build: Build, body: AList) -> Question:
     act = build.action(body.first("gerunding"))
     build.sketch.change(act, negated=True)
     return Question("what", build.graphlet(act), "", "why")
+
+
+def not_allowed(build: Build) -> Question:
+    """ "What are you not allowed to do"."""
+    with build.drawing(pattern=True):
+        return Question("yesno", build.graphlet(build.add("act", ref="that")), "", "allowed")
 
 
 def obeys(build: Build, body: AList) -> Question:

@@ -91,6 +91,12 @@ def is_used(action: AList, verb: str, pattern: bool) -> bool:
     if not is_somewhere(action, obj, uses, pattern):
         return False
     dest, receiver = action.find("dest"), action.find("iobj")
+    if not pattern and action.slot("act") in BACKING and _is_going_back(action):
+        return False
+    if dest is not None and any(
+        np.slot("own") == "your" and kind(np) in persons_own() for np in dest.all("np")
+    ):
+        return False  # "hang on to your hat"
     if dest is not None and dest.has("whither") and "GIVE" in BORN.readings(verb):
         return False  # "show Mary where the hat is" shows its place
     if receiver is not None and not all(map(may_receive, receiver.all("np"))):
@@ -98,6 +104,8 @@ def is_used(action: AList, verb: str, pattern: bool) -> bool:
     beside = [receiver, action.find("dest"), action.find("place")]
     bare = [np for part in beside if part is not None for np in part.walk() if np.name == "np"]
     if "venting" in uses and any(map(is_bare, bare)):
+        return False
+    if "steering" in uses and any(map(_is_around_some, action.all("place"))):
         return False
     return pattern or all(map(_is_short, bare))
 
@@ -253,6 +261,17 @@ def is_odd_end(np: AList, qual: AList) -> bool:
     """ "Keep back up", "keep mantels yellower": a thing without an article, and a quality that is rather a way, or none
     to be kept."""
     return is_bare(np) and (qual.has("more") or (qual.value or qual.slot("hq")) in BEHIND)
+
+
+def _is_going_back(action: AList) -> bool:
+    """ "Back in the game": who is there again, and no way to drive."""
+    places = [loc for place in action.all("place") for loc in place.all("loc")]
+    return any(loc.slot("prep") == "in" for loc in places)
+
+
+def _is_around_some(place: AList) -> bool:
+    """ "Turn around, bright eyes": somebody told, and nothing to be gone around."""
+    return any(loc.slot("prep") == "around" and any(map(is_bare, loc.all("np"))) for loc in place)
 
 
 def _qualities(np: AList) -> set[str]:

@@ -15,7 +15,7 @@ from grammars.mentions import EVERY, PLACES, compounded
 from grammars.pacing import TIMES
 from grammars.remarks import MENTAL
 from grammars.sorts import kind
-from grammars.topics import DEEDS
+from grammars.topics import DEEDS, not_allowed
 from kernel.memory.meaning import Ask, Question
 from kernel.net.graphlet import Graphlet
 
@@ -172,6 +172,8 @@ def _anything(build: Build, body: AList, asks: AList) -> Question | None:
     ):
         topic = "doing"
     if so.own and so.topic == "request":  # "what else can you do"
+        if asks.has("neg") or asks.has("negq"):  # "what can't you do"
+            return not_allowed(build)
         return Question("what", build.graphlet(so.main), "", "abilities")
     return Question("what", build.graphlet(so.main), so.inner, topic)
 

@@ -37,6 +37,7 @@ EXAMPLES = (
 )
 
 DREADING: Final = ("afraid", "scared", "frightened", "terrified", "allergic", "fond")
+JUDGED: Final = ("right", "wrong", "correct")
 PARTS: Final = "end start beginning point way case thing last limit".split()
 
 
@@ -171,7 +172,9 @@ def _some_so(some: AList) -> AList:
 
 def _pointed_out(pointed_out: AList) -> AList:
     """ "That over there is a door"."""
-    if pointed_out.first("pred").first("kindof").slot("ako") in PARTS:
+    kindof = pointed_out.first("pred").first("kindof")
+    judged = any(qual.slot("hq") in JUDGED for qual in kindof.all("qual"))
+    if kindof.slot("ako") in PARTS or judged:  # "that is the wrong door"
         raise NoMeaningError("this is the end")
     return AList("clause", pointed_out.parts)
 
@@ -211,9 +214,25 @@ def _placed(placed: AList) -> AList:
     return AList("clause", (AList("exists", (there,)),))
 
 
+def _here(here: AList) -> AList:
+    """ "Here is the hammer": it is here."""
+    quality, thing = here.parts
+    if is_abstract(thing) or not BORN.knows(kind(thing)):  # "here is the news"
+        raise NoMeaningError(str(here))
+    return AList("clause", (thing, AList("pred", (AList("qual", (quality,)),))))
+
+
+def _not_so(not_so: AList) -> AList:
+    """ "That is a spoon, not a fork": it is not a fork but a spoon."""
+    thing, so, neg, other = not_so.parts
+    return AList("denied_so", (thing, neg, other, so))
+
+
 RESTATED: Final[dict[str, Callable[[AList], AList]]] = {
     "pointed_out": _pointed_out,
     "placed": _placed,
+    "here_it_is": _here,
+    "but_not_so": _not_so,
     "introduced": _introduced,
     "some_so": _some_so,
     "served": _served,

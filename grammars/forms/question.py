@@ -15,9 +15,8 @@ from grammars.mentions import compounded
 from grammars.occasions import either_so, occasional, on_occasion, since_told
 from grammars.registry import sentence_form
 from grammars.relatives import predicate
-from grammars.sorts import kind
+from grammars.sorts import is_attribute, kind
 from grammars.topics import may_be_about, obeys, of_topic, steps, what_stops, when_learned
-from grammars.vocabulary import BORN
 from grammars.wanted import (
     ASKS,
     adverbial,
@@ -125,7 +124,9 @@ def _holding(build: Build, body: AList) -> Question:
 
 def _color(build: Build, body: AList) -> Question:
     """ "What color is the block": the wanted quality is itself of a kind, as in the paper's figure."""
-    if "PERSON" in BORN.readings(body.slot("attribute")):  # "what is Tom's sister"
+    if (
+        not is_attribute(body.slot("attribute")) or body.slot("attribute") == "day"
+    ):  # "what is Tom's sister"
         raise NoMeaningError(str(body))
     thing = build.thing(body.find("np") or _owned(build, body))
     hq = build.add("hq", hq=thing)

@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+from typing import Final
+
 from grammars.alist import AList
 from grammars.build import Build, NoMeaningError
 from grammars.clauses import clause, condition, exception, stated
 from grammars.hedges import belief
 from grammars.registry import sentence_form
+from grammars.sorts import kind
 from grammars.vocabulary import BORN
 from kernel.memory.lesson import Rule
 from kernel.memory.meaning import Teach
@@ -25,11 +28,17 @@ EXAMPLES = (
 )
 
 
+# "A lot of people": so many, and no kind of thing.
+MUCH: Final = ("lot", "bunch", "couple", "ton", "load", "number", "bit", "majority")
+
+
 @sentence_form("rule", "rule", EXAMPLES)
 def rule(alist: AList) -> Teach:
     """A rule whose condition is a clause or the subject of a generic sentence."""
     build = Build()
     generic, conclusion = alist.find("generic"), alist.find("conclusion")
+    if generic is not None and kind(generic) in MUCH:
+        raise NoMeaningError("a lot of people")
     if generic is not None and "one" in (generic.slot("ako"), generic.value):
         raise NoMeaningError("nobody in particular")
     if generic is not None:
@@ -70,7 +79,8 @@ def rule(alist: AList) -> Teach:
 
 def _is_proverb(pred: AList) -> bool:
     """ "Dogs are a man's best friend": somebody's, and nobody's in particular."""
-    owners = [owner for kindof in pred.all("kindof") for owner in kindof.all("owner")]
+    kinds = pred.all("kindof")
+    owners = [owner for kindof in kinds for owner in kindof.all("owner", "np")]
     return any(owner.slot("det") in ("a", "an") for owner in owners)
 
 

@@ -145,7 +145,8 @@ def _doing(telling: Telling, term: Term, adverb: str) -> Clause:
 
 
 def _is_known(verb: str) -> bool:
-    return BORN.knows(verb) or not closed_words().isdisjoint((verb, third_person(verb)))
+    head, *_ = verb.split() or [verb]  # of "turn off"
+    return BORN.knows(head) or not closed_words().isdisjoint((head, third_person(head)))
 
 
 def _picked_out(telling: Telling, name: str) -> bool:

@@ -90,6 +90,8 @@ def _question(telling: Telling, asked: Question, voice: Voice) -> str:
             return f"what is the {nth} step of the {deed(telling, main)}"
         case "know_how" if asked.ask == "howmany":
             return f"how many steps does it take to {deed(telling, main)}"
+        case "know_how" if not telling.term(main).lex:
+            return f"how did {you} do that"
         case "know_how":
             return f"how do {you} {deed(telling, main)}"
         case "means":
@@ -197,7 +199,10 @@ def _asked(telling: Telling, asked: Question) -> tuple[str, Clause]:
         case "what" if main.name == wanted and linked(main, "hq"):
             telling.stated.add(main.name)
             attribute = " ".join(word(kind) for kind in telling.take(main.name, "ako"))
-            if telling.term(linked(main, "hq")).lex & classes()["days"]:
+            kinds = {word(term) for term in telling.about(linked(main, "hq"), "ako")}
+            if (kinds & classes()["occasions"]) or telling.term(linked(main, "hq")).lex & classes()[
+                "days"
+            ]:
                 attribute = "day"
             if attribute and attribute not in _SEEN:
                 whose = thing(telling, linked(main, "hq"), "possessive")
