@@ -127,7 +127,8 @@ def _is_judged(alist: AList) -> bool:
 
 def _is_bare(chain: AList) -> bool:
     """Nothing but a verb to begin with: "no rest for the wicked", "no thank you"."""
-    action = chain.first("play").find("action")
+    play = chain.find("play")  # of several chains there is none
+    action = None if play is None else play.find("action")
     return action is not None and all(
         part.name in ("act", "place") or part.slot("pron") == "you" for part in action
     )
