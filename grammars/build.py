@@ -33,7 +33,7 @@ from grammars.mentions import (
 from grammars.pacing import count, in_a_while, spaced, waited, whole
 from grammars.sorts import classes, is_attribute, kind, usages
 from grammars.things import Things
-from grammars.usage import is_used, particles, put_nowhere
+from grammars.usage import is_odd_manner, is_used, particles, put_nowhere
 from kernel.action.chain import Chain, Directive, Play
 from kernel.memory.editing import OTHER_WAY
 from kernel.net.graphlet import Graphlet
@@ -55,6 +55,8 @@ class Build(Things):
     def action(self, action: AList) -> str:
         """Node of an action; what it is done to stays to be looked up, or is on the board of a pattern."""
         if (speech := action.find("speech", "speaking")) is not None:
+            if is_odd_manner(action, None):
+                raise NoMeaningError(str(action))
             act = self._speech(speech)
             self.modifiers(act, action)
             return act
@@ -242,7 +244,9 @@ class Build(Things):
         if inquiry.has("nearby"):
             return Directive("DO", self.graphlet(self.add("act", "look around")))
         if (done := inquiry.find("what_done")) is not None:
-            if "alone" in usages(done.slot("does")):  # "what color the block cha-chas"
+            if not usages(done.slot("does")).isdisjoint(
+                ("alone", "self")
+            ):  # "what color the block cha-chas"
                 raise NoMeaningError(str(done))
             wanted = self.add("obj")
             self.add("ako", done.slot("attribute"), ako=wanted)

@@ -11,7 +11,7 @@ from grammars.clauses import clause, condition, names
 from grammars.errors import NoMeaningError
 from grammars.mentions import somebody
 from grammars.pacing import HOLDING, TIMES, count, paced, whole
-from grammars.sorts import usages
+from grammars.sorts import HERE, is_nothing, usages
 from grammars.usage import is_odd_end, particles
 from grammars.vocabulary import BORN
 from grammars.ways import TURNERS
@@ -40,6 +40,8 @@ def is_odd(action: AList) -> bool:
         return True
     of_place = [way for way in ways if "PREP" in BORN.readings(way)]
     before_thing = [part.name for part in action][1:3] == ["dir", "np"]
+    if before_thing and ways[0] in HERE:  # "close there the door"
+        return True
     return before_thing and bool(of_place) and f"{action.slot('act')} {ways[0]}" not in particles()
 
 
@@ -110,7 +112,7 @@ def _moves(acting: AList | None) -> bool:
 
 
 def _is_odd_keeping(keeping: AList) -> bool:
-    return is_odd_end(keeping.first("np"), keeping.first("qual"))
+    return is_nothing(keeping.first("np")) or is_odd_end(keeping.first("np"), keeping.first("qual"))
 
 
 def _claim(build: Build, part: AList) -> Graphlet:

@@ -287,11 +287,16 @@ def _put_right(
     if "VERB" in sorts(new.text) and not any("VERB" in sorts(piece.text) for piece in before):
         return []  # there was no deed that could be put right
     sort = [name for name in REPAIRABLE if name in sorts(new.text)]
+    if "VERB" in sort and len(after) > 1:
+        sort = ["VERB"]
     same = [at for at, piece in enumerate(before) if piece.text == new.text]
     number = [at for at, piece in enumerate(before) if piece.kind == new.kind == "number"]
     alike = [
-        at for at, piece in enumerate(before) if any(name in sorts(piece.text) for name in sort)
-    ]
+        at
+        for at, piece in enumerate(before)
+        if any(name in sorts(piece.text) for name in sort)
+        and not (sort == ["VERB"] and before[at - 1 : at] and before[at - 1].text in UNFINISHED)
+    ]  # "the lift" is no deed
     places = same or number or alike
     again = places[-1] if places else max(0, len(before) - len(after))
     if len(before) - again > MOST_TAKEN_BACK:

@@ -31,7 +31,9 @@ SUBJECTS: Final = frozenset(
 THIRD: Final = frozenset(
     "the a an my his her its their our this that he she it somebody someone something anybody anyone nobody".split()
 )
-OBJECTS: Final = ("me", "him", "us", "them")
+OBJECTS: Final = ("me", "him", "us", "them", "anytime")
+# What nobody wants to be told: orders, and where to go.
+UNASKED: Final = ("command", "prohibition", "trust", "dest")
 NO_OPENING: Final = frozenset(("VERBED", "VERBING", "VERBS", "DIR"))
 OPENING: Final = frozenset(("NOUN", "NOUNS", "VERB", "STATE", "PROPER"))
 # After these anything is a quote; "tell me", though, mostly asks for what the robot knows.
@@ -59,8 +61,9 @@ def _may_be_spoken(before: Sequence[str], words: Sequence[Leaf], derive: Derive)
     tokens = [token for _, token in words]
     if before[:2] in ASKING_FOR:
         wanted = before[0] == "tell" and tokens[0].piece.text in WANTED
-        ordered = _derives(tokens, "command", derive)
-        if wanted or ordered or _is_handled(tokens, derive):
+        if wanted or _is_handled(tokens, derive):
+            return False
+        if any(_derives(tokens, symbol, derive) for symbol in UNASKED):
             return False
     elif before[0] in LITERALLY:
         return not _is_no_opening(tokens[0]) or _makes_sense(tokens, derive)
@@ -77,10 +80,11 @@ def _is_no_opening(token: Token) -> bool:
 
 def _is_handled(tokens: Sequence[Token], derive: Derive) -> bool:
     """A thing that nobody tells: "my sneakers", and not "a joke"."""
-    last = tokens[-1]
-    thing = last.readings.get("NOUN") or last.readings.get("NOUNS", "")
-    told = not last.known or thing in abstract_words() | classes()["texts"]
-    return bool(thing) and not told and _derives(tokens, "np", derive)
+    told = abstract_words() | classes()["texts"]
+    things = [
+        t.readings.get("NOUN") or t.readings.get("NOUNS", "") for t in (tokens[0], tokens[-1])
+    ]
+    return any(thing and thing not in told for thing in things) and _derives(tokens, "np", derive)
 
 
 def _is_too_short(before: Sequence[str], word: Leaf) -> bool:

@@ -21,6 +21,7 @@ COMPLEMENTS: Final = ("of", "for", "about", "with", "at", "to")
 ROBOT: Final = "robot"
 HERE: Final = frozenset(("here", "there"))
 POSITIONS: Final = frozenset(("up", "down", "on", "off"))
+NEARNESS: Final = ("close", "near", "next")
 LEARNED: Final = ("learn", "know", "say", "tell", "teach", "hear", "think", "forget")
 NOBODY: Final = frozenset(("nothing", "nobody", "no one"))
 EITHER: Final = (
@@ -188,6 +189,8 @@ def may_regard(pred: AList) -> bool:
         return False
     if loc is None or any(deg.value == "too" for deg in qual.all("deg")):  # "too heavy for you"
         return True
+    if word in NEARNESS and loc.slot("prep") != "to":
+        return False  # "close about the block"
     return not BORN.knows(word) or word in classes()["regarding"]
 
 

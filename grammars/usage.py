@@ -40,6 +40,7 @@ BEHIND: Final = frozenset(
 WORKED: Final = POSITIONS | HERE
 SINGLE: Final = ("hand", "arm", "claw")  # of which the robot has one
 MOST_QUALITIES: Final = 2  # of a thing without an article
+MOST_MANNERS: Final = 2
 ONCE: Final = ("cnt", "size", "amt")  # an action has one of each
 TIMES_OF_DAY: Final = frozenset(
     "noon midnight night morning evening afternoon dawn dusk sunset nightfall summer winter autumn".split()
@@ -82,7 +83,7 @@ def is_used(action: AList, verb: str, pattern: bool) -> bool:
         return False
     if not pattern and "sensing" in uses:
         return False  # "see the red block" is no order
-    if not pattern and (_is_by_way_of_speaking(action, obj) or _is_odd_manner(action, obj)):
+    if not pattern and (_is_by_way_of_speaking(action, obj) or is_odd_manner(action, obj)):
         return False
     if "whole" in uses and (action.has("size") or action.has("amt")):
         return False
@@ -156,9 +157,11 @@ def _lacks(action: AList, obj: AList | None, uses: frozenset[str]) -> bool:
     return (lacking and not said) or ("making" in uses and making)
 
 
-def _is_odd_manner(action: AList, obj: AList | None) -> bool:
+def is_odd_manner(action: AList, obj: AList | None) -> bool:
     """Nobody says so how: "hard make books", "quicker face arm", "water the shed wider"."""
-    before = takewhile(lambda part: part.name != "act", action.parts)
+    if len(action.all("manner")) > MOST_MANNERS:
+        return True
+    before = takewhile(lambda part: part.name not in ("act", "speech"), action.parts)
     first = [how for how in map(_how, before) if "ADJ" in BORN.readings(how)]
     if not classes()["urged"].issuperset(first) or (first and obj is not None and is_bare(obj)):
         return True

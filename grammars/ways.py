@@ -18,6 +18,8 @@ OPPOSITE: Final = (
     {"forward", "backward"},
     {"up", "down"},
     {"clockwise", "counterclockwise"},
+    {"right", "counterclockwise"},
+    {"left", "clockwise"},
     {"in", "out"},
     {"on", "off"},
 )
@@ -28,6 +30,7 @@ NO_WAY: Final = frozenset(
 )
 PARTICLES: Final = frozenset("in out on off up down over".split())
 NO_COURSE: Final = frozenset(("on", "around", "about"))
+ON_SOMEBODY: Final = frozenset("it me him her them us".split())
 SWITCHING: Final = frozenset(("on", "off"))
 TURNERS: Final = frozenset("turn rotate spin swivel pivot twirl circle twist revolve".split())
 VERTICAL: Final = frozenset(("up", "down"))
@@ -147,7 +150,7 @@ def _goes_to_itself(action: AList, obj: AList | None, uses: frozenset[str]) -> b
         marks += (np.slot("pron") for np in loc.all("np"))
         named = any(np.has("name") for np in loc.all("np"))
         people = any(map(is_people, loc.all("np")))
-        if loc.slot("prep") == "on" and (named or people or "it" in marks):
+        if loc.slot("prep") == "on" and (named or people or not ON_SOMEBODY.isdisjoint(marks)):
             return True
     return not {"you", "yourself"}.isdisjoint(marks)
 

@@ -4,17 +4,11 @@ from __future__ import annotations
 
 from typing import Final, Literal
 
-from grammars.morphology import (
-    article,
-    comparative,
-    gerund,
-    past,
-    plural,
-    third_person,
-)
+from grammars.morphology import article, comparative, gerund, past, plural, third_person
 from grammars.render.qualities import is_material, measured, quality
 from grammars.render.telling import GROUPS, Telling, linked, word
 from grammars.sorts import classes
+from grammars.usage import BEHIND
 from grammars.vocabulary import BORN
 from kernel.memory.recall import PERSONS
 from kernel.net.graphlet import Term
@@ -34,9 +28,10 @@ PRONOUNS: Final = {
     "this": ("this", "this", "its"),
 }
 _DETERMINERS: Final = ("the", "this", "that", "these", "those", "every", "any", "all", "each")
-# What one is doing still, and what one does all the time, where that tells which thing is meant.
 _ABSOLUTE: Final = {"my": "mine", "your": "yours", "her": "hers", "their": "theirs"}
 _BE: Final = {"I": "am", "you": "are"}
+_AT_HOME: Final = {f"a {where}": where for where in ("home", "school", "church", "work")}
+# What one is doing still, and what one does all the time, where that tells which thing is meant.
 _ONGOING: Final = ("hold", "carry", "wear", "watch")
 _FELT: Final = tuple("see hear want like love need have know own hate prefer mean smell".split())
 
@@ -109,6 +104,8 @@ def place(telling: Telling, term: Term) -> str:
     """Where: next to the wall; between two things; on the left."""
     landmarks = [thing(telling, other) for role, other in term.links if role == "wrt"]
     far = [measured(amt.literal or "1", word(amt)) for amt in telling.take(term.name, "amt")]
+    if word(term) == "at":
+        landmarks = [_AT_HOME.get(mark, mark) for mark in landmarks]
     if landmarks:
         return " ".join((*far, word(term), " and ".join(landmarks)))
     whole = " " in word(term) or word(term) in classes()["storeys"]
@@ -139,7 +136,7 @@ def description(telling: Telling, name: str, noun: str) -> tuple[str, str, str]:
             after.append(f"that is {alike(telling, term)}")
         elif other:
             after.append(f"that is {comparative(word(term))} than {thing(telling, other)}")
-        elif is_material(term):
+        elif is_material(term) or (word(term) in BEHIND and not telling.about(term.name, "deg")):
             after.append(f"that is {quality(telling, term)}")
         else:
             plain.append(quality(telling, term))

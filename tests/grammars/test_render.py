@@ -340,7 +340,13 @@ def test_the_robots_voice_has_words_for_every_form(sentence: str) -> None:
 
 @pytest.mark.parametrize(
     "sentence",
-    ["drive faster", "turn left more quickly", "find one on the left", "grab a red one"],
+    [
+        "drive faster",
+        "turn left more quickly",
+        "find one on the left",
+        "grab a red one",
+        "grab the dog that is asleep",
+    ],
 )
 def test_it_is_read_back_in_the_same_words(sentence: str) -> None:
     assert render(parse(sentence).meaning, "teacher") == sentence
