@@ -54,9 +54,8 @@ class Build(Things):
 
     def action(self, action: AList) -> str:
         """Node of an action; what it is done to stays to be looked up, or is on the board of a pattern."""
-        if (speech := action.find("speech", "speaking")) is not None:
-            if is_odd_manner(action, None):
-                raise NoMeaningError(str(action))
+        speech = action.find("speech", "speaking")
+        if speech is not None and not is_odd_manner(action, None):
             act = self._speech(speech)
             self.modifiers(act, action)
             return act
@@ -244,9 +243,7 @@ class Build(Things):
         if inquiry.has("nearby"):
             return Directive("DO", self.graphlet(self.add("act", "look around")))
         if (done := inquiry.find("what_done")) is not None:
-            if not usages(done.slot("does")).isdisjoint(
-                ("alone", "self")
-            ):  # "what color the block cha-chas"
+            if usages(done.slot("does")) & {"alone", "self"}:  # "what color the block cha-chas"
                 raise NoMeaningError(str(done))
             wanted = self.add("obj")
             self.add("ako", done.slot("attribute"), ako=wanted)

@@ -84,8 +84,6 @@ IS_ONLY: Final = frozenset(
 )
 # Categories whose words are put right one for one: "turn left no right". A verb takes all after it along.
 REPAIRABLE: Final = ("DIR", "ADV", "UNIT", "ADJ", "NOUN", "PROPER", "VERB")
-
-
 UNFINISHED: Final = frozenset("the a an my your his their our".split())
 ABBREVIATED: Final = frozenset("mr mrs ms dr prof deg ft cm mm min mins sec secs".split())
 THANKING: Final = ("thanks", "thank")
@@ -286,17 +284,13 @@ def _put_right(
     new = after[0]
     if "VERB" in sorts(new.text) and not any("VERB" in sorts(piece.text) for piece in before):
         return []  # there was no deed that could be put right
-    sort = [name for name in REPAIRABLE if name in sorts(new.text)]
-    if "VERB" in sort and len(after) > 1:
-        sort = ["VERB"]
+    is_deed = len(after) > 1 and "VERB" in sorts(new.text)
+    sort = ["VERB"] if is_deed else [name for name in REPAIRABLE if name in sorts(new.text)]
     same = [at for at, piece in enumerate(before) if piece.text == new.text]
     number = [at for at, piece in enumerate(before) if piece.kind == new.kind == "number"]
-    alike = [
-        at
-        for at, piece in enumerate(before)
-        if any(name in sorts(piece.text) for name in sort)
-        and not (sort == ["VERB"] and before[at - 1 : at] and before[at - 1].text in UNFINISHED)
-    ]  # "the lift" is no deed
+    told = [is_deed and piece.text in UNFINISHED for piece in before]  # "the lift" is none
+    loose = [at for at in range(len(before)) if not any(told[at - 1 : at])]
+    alike = [at for at in loose if any(name in sorts(before[at].text) for name in sort)]
     places = same or number or alike
     again = places[-1] if places else max(0, len(before) - len(after))
     if len(before) - again > MOST_TAKEN_BACK:
