@@ -15,17 +15,17 @@ from grammars.build import Build, NoMeaningError
 from grammars.called import called
 from grammars.clauses import clause
 from grammars.comparing import regarding, seen_from_robot
-from grammars.mentions import PLACES
+from grammars.gaps import fill
 from grammars.mutual import each_other
 from grammars.relatives import predicate
 from grammars.render.telling import SAYING
 from grammars.topics import DEEDS, does_so
-from grammars.usage import particles
 from grammars.vocabulary import BORN
 
 YOU: Final = AList("np", (AList("pron", value="you"),))
 # What stands for a deed without naming it: "do", "do that".
 BLANK: Final = ("do_it", "do_that", "doing_it", "doing_that")
+ALLOWED: Final = ("possible", "safe", "forbidden", "allowed")  # asked of the robot itself
 SUBJECTS: Final = ("agt", *SAYING)
 SEVERAL: Final = {
     "several": "action",
@@ -83,7 +83,8 @@ def drawn(build: Build, asks: AList, agent: str = "") -> Said:
         return Said(named)
     if (exist := asks.find("exist")) is not None:
         return Said(_existing(build, exist))
-    if (deemed := asks.find("deemed")) is not None:  # "it is dangerous to touch the lamp"
+    deemed = asks.find("deemed")  # "it is dangerous to touch the lamp"
+    if deemed is not None and deemed.slot("hq") not in ALLOWED:
         hq = build.quality(build.action(deemed.first("action")), deemed)
         return Said(_deny(build, hq, asks.has("neg")))
     if (both := asks.find("both_of")) is not None:
@@ -92,7 +93,7 @@ def drawn(build: Build, asks: AList, agent: str = "") -> Said:
     deed = asks.find(*DEEDS, *BLANK, "spoken", "instructing")
     who = agent or ("" if own and deed is not None else build.thing(subject or YOU))
     if (passive := asks.find("passive")) is not None:
-        if not any(asks.has(name) for name in ("was_q", "has_q", "modal_q")) and agent == "":
+        if asks.find("was_q", "has_q", "modal_q") is None and agent == "":
             raise NoMeaningError(str(asks))  # "is this seat taken" tells of no deed
         main = build.action(passive.first(*DEEDS))
         build.sketch.link(main, "obj", who)
@@ -114,6 +115,7 @@ def drawn(build: Build, asks: AList, agent: str = "") -> Said:
         main = build.add("act", "tell", agt=who, dest=build.oneself("you"), cmd=inner)
         may = asks.has("modal_q") or asks.has("bound")
         return Said(_deny(build, main, denied), inner, topic="orders" if may else "ordered")
+    _somebody(build, asks, asks.slot("bound"))
     return Said(_deny(build, _state(build, asks, who), denied))
 
 
@@ -262,27 +264,6 @@ def _existing(build: Build, exist: AList) -> str:
         build.add("cnt", literal=number, cnt=thing)
     where = exist.find("pred") or AList("pred", tuple(exist.all("hereabouts", "loc")))
     return predicate(build, thing, where, negated=False) if where.parts else thing
-
-
-def fill(build: Build, act: str, thing: str, strand: str, asks: AList) -> None:
-    """Put the thing where it is missing: as what the deed is done to, or behind the word left over at the end."""
-    term = build.sketch.terms[act]
-    if term.kind == "act" and not term.lex and not strand:
-        build.sketch.link(act, "obj", thing)
-        return
-    has_object = any(role == "obj" for role, _ in term.links)
-    verb = min(term.lex, default="")
-    if f"{verb} {strand}" in particles() and not has_object:
-        build.sketch.change(act, lex=frozenset((particles()[f"{verb} {strand}"][0],)))
-        build.sketch.link(act, "obj", thing)
-    elif strand == "to" and term.kind == "act":
-        build.sketch.link(act, "dest", thing)
-    elif strand:
-        build.add("loc", PLACES.get(strand, strand), loc=act, wrt=thing)
-    elif term.kind == "act" and not has_object:
-        build.sketch.link(act, "obj", thing)
-    else:
-        raise NoMeaningError(str(asks))
 
 
 def related(build: Build, np: AList) -> str:

@@ -37,7 +37,8 @@ MAY_ORDER: Final = [
 ]
 CALLING: Final = ("called", "named")
 CALLS: Final = ("call", "calls")
-CALLED: Final = [["him"], ["her"], ["it"]]
+CALLED: Final = [["him"], ["her"], ["it"], ["me"]]
+NAMED: Final = [["name", "is"], ["nickname", "is"]]
 ARTICLES: Final = frozenset("a an the my our your his her their".split())
 PETS: Final = frozenset(
     "dog puppy spaniel poodle terrier beagle cat kitten hamster rabbit parrot horse pony".split()
@@ -175,9 +176,12 @@ def _may_be_name(token: Token, before: Sequence[Piece], after: Sequence[Token]) 
         quality = "ADJ" in token.readings and words[1:2] in (["a"], ["an"])
         return quality or (noun and pet and not ARTICLES.isdisjoint(words[1:2]))
     said = [piece.text for piece in before]
-    told = said[-1] in CALLING or said == ["name", "is"] or _is_calling(said)
+    told = said[-1] in CALLING or said[-2:] in NAMED or _is_calling(said)
     if not told and token.readings.keys() & set_categories():  # "Bad robot"
         return False
+    new = said[-1] in (*CALLING, "me") or said == ["name", "is"]
+    if told and new and token.piece.capital and "VERB" in token.readings:  # "they call me Buzz"
+        return True
     nameable = ("ADJ", "NOUN", "NOUNS", *(("STRANGE",) if told else ()))
     return (told or token.piece.capital) and not token.readings.keys().isdisjoint(nameable)
 

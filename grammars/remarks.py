@@ -110,7 +110,7 @@ def _is_beside(said: AList) -> bool:
 def _has_something(said: AList) -> bool:
     """ "I have two brothers", and no more than that."""
     counted = said.has("counted") or len(said.all("np", "base_np")) > 1
-    doing = said.slot("does", "have") != "have"
+    doing = said.slot("does", "have") not in ("have", "own")
     return counted and not doing and not any(map(said.has, ("pred", "going", "quote", "num")))
 
 

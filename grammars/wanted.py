@@ -9,8 +9,9 @@ from dataclasses import replace
 from typing import Final
 
 from grammars.alist import AList
-from grammars.asked import BLANK, DESCRIBING, YOU, Said, by_robot, drawn, fill, of_clause
+from grammars.asked import BLANK, DESCRIBING, YOU, Said, by_robot, drawn, of_clause
 from grammars.build import Build, NoMeaningError
+from grammars.gaps import fill
 from grammars.mentions import EVERY, PLACES, compounded
 from grammars.pacing import TIMES
 from grammars.remarks import MENTAL
@@ -38,10 +39,9 @@ def whether(build: Build, asks: AList) -> Question:
     mild = ("neg", "negq") if asks.find(*DEEDS) is not None else ("negq",)
     so = drawn(build, AList(asks.name, tuple(part for part in asks if part.name not in mild)))
     subject, modal = asks.find("np") or YOU, asks.slot("modal_q")
-    idle = modal in IDLE and not so.own and not so.past and subject.slot("pron") != "i"
-    idle = idle or (
-        modal == "may" and not so.own and not subject.has("name") and subject.slot("pron") != "i"
-    )
+    others = not so.own and subject.slot("pron") != "i"
+    unasked = (modal in IDLE and not so.past) or (modal == "may" and not subject.has("name"))
+    idle = others and unasked
     if idle or (so.topic == "request" and so.own) or _says_nothing(build, so):
         raise NoMeaningError(str(asks))
     lesson = asks.find("instructing")

@@ -80,6 +80,9 @@ def clause(telling: Telling, term: Term, hedge: str, others: Iterable[Term] = ()
         return _doing(telling, term, adverb)
     role = next(role for role in SAYING if linked(term, role))
     name = linked(term, role)
+    if telling.term(name).kind == "act":  # "it is dangerous to touch the lamp"
+        so = f"{'not ' if term.negated else ''}{adverb}{_as_quality(telling, term)} to {deed(telling, name)}"
+        return Clause("it", "is", f"is {so}", so)
     waiting = [t for t in others if t.negated and t.name not in telling.stated]
     with_kind = role == "ako" and not _picked_out(telling, name)
     later = telling.about(name, "hq", "loc", "own") if with_kind else []

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import replace
 from typing import Final
 
@@ -111,11 +112,21 @@ def fact(content: Graphlet, finds: tuple[Graphlet, ...], voice: Voice) -> str:
         telling = Telling((*finds, told), (), voice)
         are = "are" if telling.several(subjects[0]) else "is"
         said = thing(telling, subjects[0])
-        return f"there {are} {f'no {_bare(said)}' if main.negated else said}"
+        first = f"there {are} {f'no {_bare(said)}' if main.negated else said}"
+        return " and ".join((first, *_there_too(telling, content, finds)))
     belief = main.belief if main else 1.0
     if main and not is_predicate(main):
         return str(naming(Telling(finds, (content,), voice), main, told=True))
     return conditions(Telling(finds, (content,), voice), content, hedge(belief))
+
+
+def _there_too(telling: Telling, content: Graphlet, finds: tuple[Graphlet, ...]) -> Iterator[str]:
+    """What else there is: "there is a cup on the table and there is a plate on the table"."""
+    for term in content:
+        name = next((other for role, other in term.links if role in SAYING), "")
+        new = name and term.name not in telling.stated and name not in telling.mentioned
+        if new and _is_new(content, finds, name):
+            yield f"there {'are' if telling.several(name) else 'is'} {thing(telling, name)}"
 
 
 def _is_nobody(content: Graphlet) -> bool:

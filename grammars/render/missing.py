@@ -5,8 +5,9 @@ from __future__ import annotations
 from typing import Final
 
 from grammars.morphology import past, plural
+from grammars.render.clauses import clause
 from grammars.render.deeds import be, deed
-from grammars.render.telling import Telling, linked, word
+from grammars.render.telling import Telling, is_predicate, linked, word
 from grammars.render.things import description, pronoun, thing
 from kernel.memory.meaning import Question
 from kernel.net.graphlet import Graphlet
@@ -93,6 +94,9 @@ def occasion(telling: Telling, about: Graphlet) -> str:
     inner = {other for term in about for role, other in term.links if role in ("obj", "cmd")}
     told = {about.main, *telling.stated, *inner}
     acts = [term for term in about if term.kind == "act" and term.name not in told]
+    said = [term for term in about if is_predicate(term) and term.name not in told]
+    if not acts and len(said) == 1:  # "when something got close"
+        return f" when {clause(telling, said[0], '')}"
     if len(acts) != 1 or acts[0].negated:
         return ""
     agent = linked(acts[0], "agt")

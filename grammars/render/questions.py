@@ -243,6 +243,9 @@ def _wanted(telling: Telling, asked: Question, main: Term, ask: str) -> tuple[st
     if main.name == wanted:
         return ask, _being(thing(telling, wanted, "subject"))
     if linked(main, "own") and linked(main, "of") == wanted:
+        if telling.term(linked(main, "own")).lex:  # "whose brother is Freddy"
+            called = " ".join(word(kind) for kind in telling.take(linked(main, "own"), "ako"))
+            return f"whose {called}", _being(thing(telling, linked(main, "own"), "subject"))
         telling.hold_back([main])
         thing_ = thing(telling, linked(main, "own"), "subject")
         return "who", Clause(thing_, "does", "belongs to", "belong to")
