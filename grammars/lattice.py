@@ -180,6 +180,8 @@ def _may_be_name(token: Token, before: Sequence[Piece], after: Sequence[Token]) 
     if not told and token.readings.keys() & set_categories():  # "Bad robot"
         return False
     new = said[-1] in (*CALLING, "me") or said == ["name", "is"]
+    if _is_calling(said) and "ADDRESSEE" in token.readings:  # "everyone calls him Buddy"
+        return True
     if told and new and token.piece.capital and "VERB" in token.readings:  # "they call me Buzz"
         return True
     nameable = ("ADJ", "NOUN", "NOUNS", *(("STRANGE",) if told else ()))

@@ -52,6 +52,8 @@ def check_subject(said: AList) -> None:
     pred = said.find("pred")
     if pred is not None and pred.has("isname"):
         raise NoMeaningError("a name; read as such")
+    if said.slot("does") == "know" and len(said.all("np", "base_np")) == 1 and not said.has("name"):
+        raise NoMeaningError(str(said))  # "he doesn't know he is tall"
     if said.slot("does") == "call" and not said.has("place"):  # "everyone calls him", what
         raise NoMeaningError(str(said))
     if said.has("should") or _is_told_off(said):

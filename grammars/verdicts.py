@@ -6,7 +6,7 @@ from typing import Final
 
 from grammars.alist import AList
 from grammars.errors import NoMeaningError
-from grammars.sorts import classes, is_people, kind, persons_own, usages
+from grammars.sorts import classes, is_people, kind, persons_own
 from grammars.vocabulary import BORN
 
 # Brackets and slots of a verdict that are blame.
@@ -16,7 +16,6 @@ BLAMING: Final = (
 # The speaker and who is with him.
 US: Final = ("me", "us")
 OURS: Final = ("my", "our")
-MOVING: Final = ("alone", "steering")
 AGAINST: Final = ("into", "against")  # where nobody drives who means well
 
 
@@ -29,7 +28,7 @@ def is_praise(judged: AList) -> bool:
     if fault is not None and fault.has("harm") and not _is_harm(fault.first("harm")):
         raise NoMeaningError(str(said))
     performed = said.find("performed")
-    if performed is not None and usages(performed.slot("act")).isdisjoint(MOVING):
+    if performed is not None and performed.slot("act") in classes()["shows"]:
         raise NoMeaningError("the show was great")
     turned = said.has("neg") != judged.has("doubting")  # "i don't think that was bad"
     return _is_good(said) != turned

@@ -29,6 +29,7 @@ EXAMPLES = (
 
 
 # "A lot of people": so many, and no kind of thing.
+NEVER: Final = "never"
 MUCH: Final = ("lot", "bunch", "couple", "ton", "load", "number", "bit", "majority")
 
 
@@ -49,8 +50,12 @@ def rule(alist: AList) -> Teach:
         said = conclusion
     else:
         raise NoMeaningError(str(alist))
+    hedges = [part.slot("hedge") for part in (alist, generic, said) if part is not None]
+    hedge = next(filter(None, hedges), said.slot("may") and "may")
     with build.drawing(pattern=True):
         main = clause(build, said, thing)
+        if hedge == NEVER:  # "dogs never bite"
+            build.sketch.change(main, negated=True)
         then = build.graphlet(main)
     if _is_order(conclusion):
         raise NoMeaningError("what is to be done")
@@ -71,8 +76,6 @@ def rule(alist: AList) -> Teach:
     if not anybody and about.isdisjoint(condition_.mentioned):
         raise NoMeaningError("the conclusion is about something else")
     then = Graphlet(tuple(term for term in then if term.name not in described), then.main)
-    hedges = [part.slot("hedge") for part in (alist, generic, said) if part is not None]
-    hedge = next(filter(None, hedges), said.slot("may") and "may")
     rule_ = Rule(condition_, then, exception(build, alist), belief(hedge))
     return Teach("rule", rule_)
 
