@@ -105,8 +105,10 @@ def _pass(
 def lessons_of(meaning: Meaning, words: str) -> tuple[Lesson, ...]:
     """The lessons a sentence teaches or the fact it tells, not stored; none for all else."""
     match meaning:
-        case Teach(kind) as taught:
-            return tuple(Lesson(0, kind, canonical(each), words) for each in taught.contents)
+        case Teach() as taught:
+            return tuple(
+                Lesson(0, taught.kind_of(each), canonical(each), words) for each in taught.contents
+            )
         case Fact() as fact:
             return (Lesson(0, "fact", whole(fact), words),)
     return ()

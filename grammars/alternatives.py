@@ -77,6 +77,15 @@ def alternatives(said: AList, one: frozenset[str] = ONE) -> list[AList]:
     return list(dict.fromkeys(found))
 
 
+def neither(said: AList) -> AList:
+    """ "Anything that is not red or blue" is neither: it is not red, and not blue."""
+    parts = []
+    for part in said:
+        denied = part.name == "rel" and part.has("neg") and not is_single(part)
+        parts += alternatives(part) if denied else [neither(part)]
+    return AList(said.name, tuple(parts), said.value)
+
+
 def _of_part(part: AList, one: frozenset[str]) -> list[tuple[AList, ...]]:
     """Each alternative of a part, as the parts that stand in its place. What is denied of both is denied of each: "if
     you are not holding a cup or a mug"."""

@@ -9,6 +9,7 @@ from grammars.alist import AList
 from grammars.chains import (
     TURNING,
     bare_chain,
+    degrees_so,
     is_odd,
     one_by_one,
     plays,
@@ -23,6 +24,7 @@ from grammars.mentions import (
     OWNING,
     SELF_OWN,
     Thing,
+    asked_if,
     but,
     is_addressed,
     is_person,
@@ -149,12 +151,12 @@ class Build(Things):
                 bounded(self, amt, part)
             elif part.name == "cnt":
                 self.add("cnt", literal=limited(self, part, count(part)), cnt=act)
-            elif part.name == "in_a_while":
-                raise NoMeaningError(str(action))  # together with something else, or as a trigger
             elif part.name == "counting_up" and "count" in self.sketch.terms[act].lex:
                 self.add("amt", literal=part.slot("num"), amt=act)
-            elif part.name == "counting_up":
-                raise NoMeaningError(str(action))
+            elif part.name == "degrees_so":
+                degrees_so(self, act, part)
+            elif part.name in ("counting_up", "in_a_while"):
+                raise NoMeaningError(str(action))  # together with something else, or as a trigger
             elif part.name == "the_other_way":
                 self.add("dir", OTHER_WAY, dir=act)
             elif part.name == "turns" and self.sketch.terms[act].lex.isdisjoint(TURNING):
@@ -184,7 +186,7 @@ class Build(Things):
     def _speech(self, speech: AList) -> str:
         verb = next(part.name for part in speech if part.name in ("say", "tell", "ask"))
         links: dict[str, str] = {}
-        if (asked := speech.find("asked_if")) is not None:
+        if (asked := asked_if(speech)) is not None:
             links["obj"] = self.add("txt", literal=f"if {asked.slot('quote')}")
         elif (quote := speech.find("quote")) is not None:
             if not is_addressed(verb, speech):

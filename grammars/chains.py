@@ -25,6 +25,7 @@ if TYPE_CHECKING:
 P = TypeVar("P", Directive, Loop)
 TURNS: Final = frozenset(("left", "right", "clockwise", "counterclockwise", "around"))
 TURNING: Final = TURNERS | {"roll"}
+LEAST_DEGREES: Final = 10  # nobody turns "right 3"
 FRACTIONS: Final = {"quarter": 0.25, "half": 0.5}
 STANDING: Final = ("stop", "halt", "freeze", "wait", "pause", "rest")
 LIFTS: Final = {"up": "raise", "down": "lower"}
@@ -209,6 +210,14 @@ def turned(action: AList) -> AList:
     if way not in TURNS:
         raise NoMeaningError(str(action))
     return AList("action", (AList("act", value="turn"), AList("dir", value=way), *rest))
+
+
+def degrees_so(build: Build, act: str, said: AList) -> None:
+    """ "Turn right ninety": degrees."""
+    number = said.slot("num")
+    if build.sketch.terms[act].lex.isdisjoint(TURNING) or float(number) < LEAST_DEGREES:
+        raise NoMeaningError(str(said))
+    build.add("amt", "degree", literal=number, amt=act)
 
 
 def turns(turns: AList) -> float:

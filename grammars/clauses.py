@@ -7,10 +7,12 @@ from typing import TYPE_CHECKING, Final
 from grammars.alist import AList
 from grammars.comparing import seen_from_robot
 from grammars.errors import NoMeaningError
+from grammars.manners import SO_MANY, how_many
 from grammars.mentions import VERB_SLOTS
+from grammars.mutual import of_each
 from grammars.relatives import predicate
 from grammars.sorts import classes, is_abstract, is_kind_of_it, kind, may_be_called, usages
-from grammars.timing import it_is, tells_time, timed
+from grammars.timing import it_is, o_clock, tells_time, timed
 from grammars.usage import TIMES_OF_DAY, put_nowhere
 from grammars.vocabulary import BORN
 from grammars.ways import WAYS
@@ -22,6 +24,10 @@ if TYPE_CHECKING:
 
 TOOLS: Final = ("drill", "ropes", "score")
 SENSED: Final = ("see", "hear", "feel", "smell")
+SIGHTS: Final = {
+    f"{verb} sight of": verb[:1] == "l" for verb in ("catch", "catches", "lose", "loses")
+}
+WISHES: Final = ("like", "want", "need", "prefer")
 DENIALS: Final = ("neg", "not_has", "neg_own")
 PAST: Final = "past"
 
@@ -29,7 +35,7 @@ PAST: Final = "past"
 def flat(conds: AList) -> list[AList]:
     """The clauses of a list of conditions."""
     inner = [clause for part in conds.all("conds") for clause in flat(part)]
-    return [*conds.all("clause"), *inner]
+    return [*(each for part in conds.all("clause") for each in of_each(part)), *inner]
 
 
 def names(clause: AList) -> bool:
@@ -46,7 +52,7 @@ def condition(build: Build, conds: AList) -> Graphlet:
 
 def stated(build: Build, conds: AList) -> Graphlet:
     """The same on the present board: what is definite is looked up where that is drawn no pattern."""
-    if time := conds.slot("daypart"):
+    if (time := conds.slot("daypart")) or (time := o_clock(conds.find("hour"))):
         return build.graphlet(it_is(build, time))
     first, *more = flat(conds)
     mains = [clause(build, first, topical=True), *(clause(build, part) for part in more)]
@@ -125,8 +131,8 @@ def clause(build: Build, part: AList, subject: str = "", topical: bool = False) 
     if (part.has("does") and not part.has("counted")) or part.has("going"):
         return _doing(build, part, agent, objects, negated)
     if (counted := part.find("counted")) is not None:
-        many = build.thing(AList("np", counted.parts[1:]))
-        build.add("cnt", literal=counted.slot("num"), cnt=many)
+        many = build.thing(_counted(counted))
+        build.add("cnt", literal=how_many(build, counted), cnt=many)
         does = build.add("act", part.slot("does", "have"), agt=agent, obj=many, negated=negated)
         return _had(build, part, does)
     if objects and not (build.telling and is_abstract(objects[0])):
@@ -169,8 +175,8 @@ def _exists(build: Build, exists: AList) -> str:
     """ "There is something close": the quality of the thing, or its kind, is the predicate."""
     before = len(build.board)
     if (counted := exists.find("counted")) is not None:
-        name = build.thing(AList("np", counted.parts[1:]))
-        build.add("cnt", literal=counted.slot("num"), cnt=name)
+        name = build.thing(_counted(counted))
+        build.add("cnt", literal=how_many(build, counted), cnt=name)
     else:
         name = build.thing(exists.first("np"))
     if here := exists.slot("hereabouts"):
@@ -185,6 +191,11 @@ def _exists(build: Build, exists: AList) -> str:
                 build.sketch.change(term.name, negated=negated)
                 return term.name
     raise NoMeaningError(str(exists))
+
+
+def _counted(counted: AList) -> AList:
+    """What there are so many of."""
+    return AList("np", tuple(p for p in counted if p.name != "num" and p.name not in SO_MANY))
 
 
 def _all_so(build: Build, all_so: AList) -> str:
@@ -211,7 +222,11 @@ def _doing(build: Build, part: AList, agent: str, objects: list[AList], negated:
         raise NoMeaningError(str(part))
     if put_nowhere(verb, body, objects[0] if objects else None):
         raise NoMeaningError(str(part))
+    if verb in SIGHTS:  # "you lose sight of me"
+        verb, negated = "see", negated or SIGHTS[verb]
     links: dict[str, str] = {"agt": agent}
+    if verb in WISHES and not objects and not body.has("dest"):  # "whenever you like"
+        raise NoMeaningError(str(part))
     if not objects and {"needing", "venting"} <= usages(verb):  # "until nothing thanks"
         raise NoMeaningError(str(part))
     if objects and ("alone" in usages(verb) or (verb == "know" and not _is_knowable(objects[0]))):

@@ -16,6 +16,14 @@ if TYPE_CHECKING:
 PACES: Final = {"at_full_speed": "fast", "at_low_speed": "slowly"}
 BOUNDS: Final = {"over": "over", "under": "under", "up_to": "at most"}
 COMPARED: Final = {"over": ">", "under": "<"}
+# What the comparison is, and with how many more.
+SO_MANY: Final = {
+    "more_than": (">", 0),
+    "at_least": (">", -1),
+    "fewer": ("<", 0),
+    "at_most": ("<", 1),
+}
+MORE_THAN_ONE: Final = "> 1"
 _LITTLE: Final = ("deg", "little")
 NOT_TOO: Final = {
     **dict.fromkeys(("far", "much", "high", "low", "long", "wide"), _LITTLE),
@@ -59,6 +67,26 @@ def limited(build: Things, cnt: AList, number: str) -> str:
     if cnt.has("up_to") or (bound and not build.pattern):
         raise NoMeaningError(str(cnt))
     return f"{bound} {number}".strip()
+
+
+def how_many(build: Things, said: AList) -> str:
+    """Number of things; "at least two" is a comparison, and no number to do something with."""
+    number = said.slot("num")
+    bound = next((part.name for part in said if part.name in SO_MANY), "")
+    if not bound:
+        return number
+    if not build.pattern or not number.isdecimal():
+        raise NoMeaningError(str(said))
+    sign, more = SO_MANY[bound]
+    return f"{sign} {int(number) + more}"
+
+
+def so_many(literal: str) -> str:
+    """The same in words: "more than 2"."""
+    sign, _, number = literal.partition(" ")
+    if literal == MORE_THAN_ONE:
+        return "more than one"
+    return {">": "more than ", "<": "fewer than "}.get(sign, sign) + number
 
 
 def unit_of(amt: AList) -> str:

@@ -38,6 +38,7 @@ ASKING: Final = frozenset(
 )
 # "Don't tell him that or he will cry", "tell Mary about it".
 CONJUNCTIONS: Final = ("or", "but", "because", "about", "of")
+VAGUE: Final = (["nothing"], ["anything"], ["something"], ["everything"])  # nobody says just that
 UNADDRESSED: Final = ("you", "that", "this", "these", "those", "i", "he", "she", "they")
 FINITE: Final = frozenset("is are was were has may can will must should does did".split())
 PERSONAL: Final = frozenset("him her he she".split())
@@ -170,6 +171,14 @@ def is_person(np: AList) -> bool:
     return np.has("name") or of_persons or is_people(np)
 
 
+def asked_if(speech: AList) -> AList | None:
+    """What is to be asked with "if"; whom, is known where that is not the one who speaks: "ask if you need help"."""
+    asked = speech.find("asked_if")
+    if asked is not None and asked.slot("quote").startswith("you ") and not speech.has("listener"):
+        raise NoMeaningError(str(speech))
+    return asked
+
+
 def is_addressed(verb: str, speech: AList) -> bool:
     """Somebody may be told so: neither the robot itself nor "lift", nor may "tell Mary may go" be meant.
 
@@ -178,7 +187,7 @@ def is_addressed(verb: str, speech: AList) -> bool:
         speech: its bracket, with a quote.
     """
     words = speech.slot("quote").lower().removeprefix("that ").split()
-    if not words or words[0] in CONJUNCTIONS:
+    if not words or words[0] in CONJUNCTIONS or words in VAGUE:
         return False
     listener, hearer = speech.find("listener"), speech.find("hearer")
     if verb == "ask" and listener is None:

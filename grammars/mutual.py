@@ -12,6 +12,16 @@ WHOSE: Final = {"i": "my", "me": "my", "you": "your"}
 PLURAL: Final = ("akos",)
 
 
+def of_each(said: AList) -> list[AList]:
+    """The same clause with each of several things: "Ann and Bob are tall"."""
+    if (both := said.find("both_of", "several_np")) is None:
+        return [said]
+    if told := each_other(said, both.all("np")):
+        return told
+    at = said.parts.index(both)
+    return [AList("clause", (*said.parts[:at], np, *said.parts[at + 1 :])) for np in both.all("np")]
+
+
 def each_other(said: AList, subjects: list[AList]) -> list[AList]:
     """The predicate as it is told of each, that is no speaker's own; none where it is nothing they are to each other.
 

@@ -10,7 +10,7 @@ from dataclasses import dataclass, field
 from typing import Any, Final
 
 from grammars.alist import AList
-from grammars.alternatives import alternatives, is_single, together
+from grammars.alternatives import alternatives, is_single, neither, together
 from grammars.errors import BrokenOffError, NoMeaningError
 from grammars.lattice import Lexer, Token, variants
 from grammars.nearest import near_words
@@ -224,7 +224,7 @@ def _built(sentence: AList) -> tuple[str, Meaning] | None:
         return None
     forms = discover()
     body = next(part for part in sentence if part.name in forms)
-    form = forms[body.name]
+    form, body = forms[body.name], neither(body)
     if form.kind in LESSONS and any(map(is_of_persons, body.walk())):
         return None
     try:

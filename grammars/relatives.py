@@ -9,13 +9,15 @@ from grammars.comparing import comparison
 from grammars.errors import NoMeaningError
 from grammars.mentions import PLACES, VERB_SLOTS, compounded, is_time
 from grammars.morphology import lemmas
-from grammars.sorts import is_bare, is_kind_of_it, kind, may_regard, usages
+from grammars.pacing import TIMES
+from grammars.sorts import is_attribute, is_bare, is_kind_of_it, kind, may_regard, usages
 from grammars.usage import PUTTING, TIMES_OF_DAY, particles
 
 if TYPE_CHECKING:
     from grammars.things import Things
 
 # Where something is brought, and not where it is.
+POSTURES: Final = ("sit", "stand", "lie", "rest", "hang", "lean", "sleep", "wait", "live")
 LEADING: Final = ("into", "onto", "through", "past", "out of", "away from")
 
 
@@ -26,6 +28,8 @@ def relative(build: Things, name: str, np: AList, rel: AList) -> None:
     if rel.has("name"):
         build.sketch.change(name, lex=frozenset({rel.slot("name")}))
     elif (pred := rel.find("pred")) is not None:
+        if rel.has("sub") and not is_attribute(rel.slot("sub")):
+            raise NoMeaningError(str(rel))  # "whose lid is open" is not open itself
         if (kindof := pred.find("kindof")) is not None and not is_kind_of_it(np, kindof):
             raise NoMeaningError(str(rel))
         if pred.has("isname") or any(q.slot("hq") in TIMES_OF_DAY for q in pred.all("qual")):
@@ -33,12 +37,18 @@ def relative(build: Things, name: str, np: AList, rel: AList) -> None:
         predicate(build, name, pred, rel.has("neg"))
     elif (made := rel.find("made_of")) is not None:
         build.quality(name, made)
+    elif (belongs := rel.find("belongs")) is not None:  # "anything of Mary's"
+        build.owned(name, belongs)
     elif (owner := rel.find("owner_of", "of_owner")) is not None:
         build.owned(name, owner)
     elif (loc := rel.find("loc")) is not None and loc.slot("prep") in LEADING:
         raise NoMeaningError(str(rel))
     elif any(map(rel.has, ("loc", "side", "compared", "hereabouts"))):
         predicate(build, name, rel, negated=False)
+    elif (posed := rel.find("posed")) is not None:  # "sitting on the sofa" is on it
+        if posed.slot("gerund") not in POSTURES:
+            raise NoMeaningError(str(rel))
+        predicate(build, name, posed.first("place"), negated=False)
     elif any(rel.has(part) for part in ("going", "has_it", "habit", "habit_s")):
         _doing(build, name, rel)
     elif (seen := rel.find("seen_by")) is not None and _may_be_told_apart(np):
@@ -104,7 +114,8 @@ def _doing(build: Things, name: str, rel: AList) -> None:
         links["obj"] = build.thing(obj)
     elif going.name.startswith("habit") and "needing" in usages(verb):
         raise NoMeaningError(str(rel))  # "the block that thanks"
-    act = build.add("act", "have" if rel.has("has_it") else verb, **links)
+    denied = rel.has("neg")
+    act = build.add("act", "have" if rel.has("has_it") else verb, negated=denied, **links)
     build.modifiers(act, going)
 
 
@@ -116,6 +127,11 @@ def predicate(build: Things, name: str, pred: AList, negated: bool) -> str:
         if not may_regard(pred):
             raise NoMeaningError(str(pred))
         main, *_ = [build.quality(name, part, negated) for part in pred.all("qual")]
+        if (for_so_long := pred.find("for_so_long")) is not None:  # "stuck for a minute"
+            if for_so_long.slot("unit") not in TIMES:
+                raise NoMeaningError(str(pred))
+            number = for_so_long.slot("num", "1")
+            build.add("amt", for_so_long.slot("unit"), literal=number, amt=main)
         about = pred.find("loc")
         if about is not None and not _is_of_its_kind(build, name, pred, about):  # "afraid of dogs"
             build.place("loc", main, about)
@@ -123,6 +139,8 @@ def predicate(build: Things, name: str, pred: AList, negated: bool) -> str:
     if (kindof := pred.find("kindof")) is not None:
         return kind_of(build, name, kindof, negated)
     if (loc := pred.find("loc")) is not None:
+        if pred.has("back_there") and loc.slot("prep") == "from":  # is where he was before
+            raise NoMeaningError(str(pred))
         return build.place("loc", name, loc, negated)
     if (side := pred.find("side")) is not None:
         return build.add("loc", side.slot("dir") or side.value or "", loc=name, negated=negated)

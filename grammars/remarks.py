@@ -56,6 +56,8 @@ def check_subject(said: AList) -> None:
         raise NoMeaningError(str(said))  # "he doesn't know he is tall"
     if said.slot("does") == "call" and not said.has("place"):  # "everyone calls him", what
         raise NoMeaningError(str(said))
+    if pred is not None and any(q.slot("hq") == "allowed" for q in pred.all("qual")):
+        raise NoMeaningError("what may be done")
     if said.has("should") or _is_told_off(said):
         raise NoMeaningError("advice")
     loc = None if pred is None else pred.find("loc")

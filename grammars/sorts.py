@@ -30,7 +30,7 @@ EITHER: Final = (
     "either of",
     "either one of",
 )  # which one it is, nobody says
-NONE: Final = ("no", "neither", "none of", "neither of")
+NONE: Final = ("no", "no more", "neither", "none of", "neither of")
 DETERMINED: Final = ("det", "own", "owner", "pron", "pronoun", "vague", "name")
 
 

@@ -14,6 +14,7 @@ from typing import Any
 
 from grammars.alist import AList
 from grammars.errors import NoMeaningError
+from grammars.manners import how_many
 from grammars.mentions import (
     ALIKE,
     ANY_KIND,
@@ -214,8 +215,8 @@ class Things:
             self.possessed(name, np)
             for rel in np.all("rel"):
                 relative(self, name, np, rel)
-            if number := np.slot("num"):
-                self.add("cnt", literal=number, cnt=name)
+            if np.has("num"):
+                self.add("cnt", literal=how_many(self, np), cnt=name)
         self._mention(Thing(name, kind, person, called))
         return name
 

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Final
 
 from grammars.alist import AList
+from grammars.errors import NoMeaningError
 from grammars.mentions import is_time
 from grammars.sorts import kind
 from grammars.usage import AMBIENT, TIMES_OF_DAY
@@ -12,6 +13,9 @@ from kernel.net.graphlet import Graphlet
 
 if TYPE_CHECKING:
     from grammars.things import Things
+
+
+HOURS: Final = 24
 
 
 def tells_time(pred: AList | None) -> bool:
@@ -36,6 +40,16 @@ def timed(said: AList) -> tuple[AList, list[str]]:
     rest = tuple(part for part in said if part not in times)
     words = [kind(part.first("loc").first("np")) for part in times]
     return (AList(said.name, rest, said.value) if times else said), words
+
+
+def o_clock(hour: AList | None) -> str:
+    """ "After nine": "after 9 o'clock"."""
+    if hour is None:
+        return ""
+    number = hour.slot("num")
+    if not number.isdecimal() or not 0 < int(number) <= HOURS:
+        raise NoMeaningError(str(hour))
+    return f"{hour.slot('time_side')} {number} o'clock".strip()
 
 
 def it_is(build: Things, time: str) -> str:

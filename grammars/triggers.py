@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING
 
 from grammars.alist import AList
 from grammars.clauses import enablement, exception
+from grammars.errors import NoMeaningError
 from grammars.hedges import preference
 from grammars.timing import by_time
 from kernel.action.chain import Directive
@@ -32,15 +33,31 @@ def settled(
 
 def _describes(build: Build, term: Term, mine: list[Term]) -> bool:
     """It is no claim of its own, and about something that these terms mention."""
-    mentioned = {t.name for t in mine} | {other for t in mine for _, other in t.links}
-    about = {term.name, *(other for _, other in term.links)}
-    return term.name not in build.claims and not about.isdisjoint(mentioned)
+    return term.name not in build.claims and _is_about(term, mine)
+
+
+def _is_about(term: Term, terms: list[Term]) -> bool:
+    """It tells of something that these mention."""
+    mentioned = {t.name for t in terms} | {other for t in terms for _, other in t.links}
+    return not mentioned.isdisjoint((term.name, *(other for _, other in term.links)))
+
+
+def taken_up(trigger: Graphlet, lesson: Operator) -> Graphlet:
+    """With what the lesson before says of its things, as "it" does: "you may touch the vase, but never lift it"."""
+    before = lesson.trigger.graphlet
+    left = [term for term in before or () if before is not None and term is not before.head]
+    terms = list(trigger)
+    while more := [term for term in left if term not in terms and _is_about(term, terms)]:
+        terms += more
+    return Graphlet(tuple(terms), trigger.main)
 
 
 def around(build: Build, alist: AList, tag: str) -> Operator:
     """What is done before or after an act, when it is and when it is not."""
     with build.drawing(pattern=True, trigger=True):
         deed, times = by_time(build, alist.first("action", "gerunding", "did_it"))
+        if deed.name == "action" and any(np.slot("pron") == "you" for np in deed.all("np")):
+            raise NoMeaningError(str(deed))  # "after each block you grab"
         trigger = build.graphlet(build.action(deed))
     enabled = (*times, *enablement(build, alist))
     chain = build.chain(alist.first("chain"))

@@ -150,8 +150,10 @@ def _content(mind: Listener, commons: Commons, focus: Focus, heard: Heard) -> Ru
             return (yield from revising.obey(commons, focus, command))
         case Fact(fact, finds):
             return (yield from _fact(commons, focus, fact, finds))
-        case Teach(kind) as taught:
-            focus.lesson, *beside = (_lesson(focus, kind, each) for each in taught.contents)
+        case Teach() as taught:
+            kinds = map(taught.kind_of, taught.contents)
+            lessons = zip(kinds, taught.contents, strict=True)
+            focus.lesson, *beside = (_lesson(focus, kind, each) for kind, each in lessons)
             focus.beside = tuple(beside)
             return (yield from frame.directive(Directive("ADD", LEARNING)))
         case Question() as question:

@@ -48,6 +48,10 @@ def command(alist: AList) -> Command:
     if any(part.name == "speech" and _is_advice(part) for part in alist.walk()):
         raise NoMeaningError("advice for a person")
     build = Build()
+    if (wished_for := alist.find("wished_for")) is not None:
+        np, act = wished_for.parts
+        wanted = AList("play", (AList("action", (act, np)),))
+        return Command(build.chain(AList("chain", (wanted,))))
     bare = alist.find("bare")
     if bare is not None and not is_way(bare):
         raise NoMeaningError("no way to go")

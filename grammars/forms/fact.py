@@ -10,8 +10,8 @@ from grammars.clauses import clause
 from grammars.comparing import regarding
 from grammars.dates import dated
 from grammars.happenings import happened
-from grammars.mentions import OWNING, is_person, may_be_person
-from grammars.mutual import each_other
+from grammars.mentions import EVERY, OWNING, is_person, may_be_person
+from grammars.mutual import of_each
 from grammars.registry import sentence_form
 from grammars.remarks import check_absence, check_subject
 from grammars.render.telling import SAYING
@@ -70,6 +70,8 @@ def fact(alist: AList) -> Fact:
     alist = restated(alist)
     said = _each_told(alist)
     for one in said:
+        if _is_anybody(one):
+            raise NoMeaningError("a rule")
         check_subject(one)
         check_absence(one)
     with build.drawing(pattern=False):
@@ -89,6 +91,17 @@ def _dreading(build: Build, dreading: AList) -> Fact:
         return Fact(build.graphlet(hq), tuple(build.finds))
 
 
+def _is_anybody(said: AList) -> bool:
+    """ "Someone who is crying is sad": whoever it is."""
+    np, pred = said.find("np"), said.find("pred")
+    if np is None or not np.has("vague") or np.slot("vague") in EVERY:
+        return False
+    if any(rel.has("made_of") for rel in np.all("rel")):
+        return True
+    told_apart = any(not rel.has("loc") for rel in np.all("rel"))
+    return told_apart and pred is not None and (pred.has("qual") or pred.has("kindof"))
+
+
 def _each_told(alist: AList) -> list[AList]:
     """The clauses of a fact: of each of several subjects, of all that is told with "and"."""
     if (also := alist.find("also_so")) is not None:
@@ -102,7 +115,7 @@ def _each_told(alist: AList) -> list[AList]:
         if not said[0].has("neg"):  # two sentences
             raise NoMeaningError(str(alist))
         said = [_only_denied(said[0], so.first("pred")), AList("clause", so.parts)]
-    return [each for one in said for each in _of_each(one)]
+    return [each for one in said for each in of_each(one)]
 
 
 def _only_denied(said: AList, instead: AList) -> AList:
@@ -113,16 +126,6 @@ def _only_denied(said: AList, instead: AList) -> AList:
         return said
     plain = AList("kindof", tuple(part for part in one if part.name != "qual"))
     return AList("clause", tuple(AList("pred", (plain,)) if p is pred else p for p in said))
-
-
-def _of_each(said: AList) -> list[AList]:
-    """The same clause with each of several things: "Ann and Bob are tall"."""
-    if (both := said.find("both_of", "several_np")) is None:
-        return [said]
-    if told := each_other(said, both.all("np")):
-        return told
-    at = said.parts.index(both)
-    return [AList("clause", (*said.parts[:at], np, *said.parts[at + 1 :])) for np in both.all("np")]
 
 
 def _but(build: Build, main: str, denied: AList) -> str:

@@ -7,8 +7,8 @@ from grammars.build import Build, NoMeaningError
 from grammars.clauses import enablement, exception
 from grammars.registry import sentence_form
 from grammars.timing import by_time
-from grammars.triggers import settled
-from kernel.action.chain import Chain, Directive
+from grammars.triggers import settled, taken_up
+from kernel.action.chain import Chain, Directive, Play
 from kernel.memory.lesson import Operator
 from kernel.memory.meaning import Teach
 
@@ -40,7 +40,30 @@ def permission(alist: AList) -> Teach:
         enablement=(*times, *(before or enablement(build, alist))),
         unless=exception(build, alist),
     )
-    return Teach("permission", operator)
+    return Teach("permission", operator, _but_not(build, alist, operator))
+
+
+def _but_not(build: Build, alist: AList, allowed: Operator) -> tuple[Operator, ...]:
+    """What is forbidden in the same breath: "you may touch the cup but not the vase", "but never touch the vase"."""
+    if (banned := alist.find("but_never")) is not None:
+        return (_forbidden(build, banned.first("action"), allowed),)
+    if (left_out := alist.find("not_that")) is None:
+        return ()
+    if (deed := left_out.find("action")) is not None:
+        return (_forbidden(build, deed, allowed),)
+    action, (other, *_) = alist.first("action"), left_out.parts
+    if not action.has(other.name) or (other.name == "np" and action.parts[-1].name != "np"):
+        raise NoMeaningError(str(left_out))
+    last = [part for part in action if part.name == other.name][-1]
+    parts = tuple(other if part is last else part for part in action)
+    return (_forbidden(build, AList("action", parts), allowed),)
+
+
+def _forbidden(build: Build, action: AList, allowed: Operator) -> Operator:
+    """A plain veto upon it."""
+    with build.drawing(pattern=True, trigger=True):
+        trigger = taken_up(build.graphlet(build.action(action)), allowed)
+    return Operator(Directive("ANTE", trigger), Chain((Play((Directive("PUNT"),)),)))
 
 
 def _once_more(action: AList) -> AList:

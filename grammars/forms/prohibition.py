@@ -8,7 +8,7 @@ from grammars.clauses import enablement, exception
 from grammars.registry import sentence_form
 from grammars.sorts import kind, usages
 from grammars.timing import by_time
-from grammars.triggers import settled
+from grammars.triggers import settled, taken_up
 from kernel.action.chain import Chain, Directive, Play
 from kernel.memory.lesson import Operator
 from kernel.memory.meaning import Teach
@@ -32,7 +32,7 @@ EXAMPLES = (
 def prohibition(alist: AList) -> Teach:
     """A veto on an action, with what to do instead, when it holds and when it does not."""
     build = Build()
-    deeds = ("action", "not_one", "gerunding", "np", "conds")
+    deeds = ("there", "action", "not_one", "gerunding", "np", "conds")
     first = next(part.name for part in alist if part.name in deeds)
     before = enablement(build, alist) if first == "conds" else ()
     deed, times = by_time(build, _done(alist))
@@ -55,13 +55,24 @@ def prohibition(alist: AList) -> Teach:
         enablement=(*times, *(before or after)),
         unless=exception(build, alist),
     )
-    return Teach("prohibition", operator)
+    return Teach("prohibition", operator, _but_may(build, alist, operator))
+
+
+def _but_may(build: Build, alist: AList, banned: Operator) -> tuple[Operator, ...]:
+    """What is allowed in the same breath: "never touch the vase, but you may touch the cup"."""
+    if (allowed := alist.find("but_may")) is None:
+        return ()
+    with build.drawing(pattern=True):
+        trigger = taken_up(build.graphlet(build.action(allowed.first("action"))), banned)
+    return (Operator(Directive("ALLOW", trigger), Chain()),)
 
 
 def _done(alist: AList) -> AList:
     """The deed; of "the vase must not be touched" too. What is kept away from is not done, but gone to."""
     if alist.has("keep_off"):
         return alist.first("np")
+    if (there := alist.find("there")) is not None:
+        return AList("action", (AList("act", value="go"), *there.parts))
     if (single := alist.find("not_one")) is not None:
         touched = single.first("np")
         if not kind(touched) and "taking" not in usages(single.slot("act")):

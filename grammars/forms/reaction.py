@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Final
+
 from grammars.alist import AList
 from grammars.build import Build, NoMeaningError
 from grammars.clauses import condition, exception
@@ -15,6 +17,7 @@ from kernel.memory.lesson import Operator
 from kernel.memory.meaning import Teach
 from kernel.net.graphlet import Graphlet
 
+COMING: Final = ("come", "get", "move", "walk", "stand", "drive", "step", "go")
 EXAMPLES = (
     "If something is very close then drive backwards",
     "when you are stuck back up then turn right",
@@ -41,6 +44,8 @@ def reaction(alist: AList) -> Teach:
         raise NoMeaningError("what follows is the question")
     trigger = condition(build, conds[0] if len(conds) == 1 else AList("conds", tuple(conds)))
     said = alist.find("chain")
+    if said is not None and _is_close_by(conds[-1], said):
+        raise NoMeaningError("comes close")
     if said is not None and _is_way(build, trigger, said):
         raise NoMeaningError("a way of doing it")
     chain = build.chain(said or _so_told(trigger))
@@ -64,6 +69,13 @@ def _is_way(build: Build, trigger: Graphlet, chain: AList) -> bool:
     going = actions[0].slot("act") == "go" and [part.name for part in actions[0]][1:] == ["manner"]
     agent = dict(head.links).get("agt", "")
     return going and bool(agent) and "you" in build.sketch.terms[agent].lex
+
+
+def _is_close_by(conds: AList, chain: AList) -> bool:
+    """ "If something comes close, back away": nothing is to be closed."""
+    first = next((part for part in chain.walk() if part.name == "action"), None)
+    bare = first is not None and first.slot("act") == "close" and len(first.parts) <= 1
+    return bare and any(part.value in COMING for part in conds.walk() if part.name == "does")
 
 
 def _asks_nothing(chain: AList) -> bool:

@@ -9,7 +9,7 @@ from grammars.build import Build, NoMeaningError
 from grammars.clauses import clause, condition, exception, stated
 from grammars.hedges import belief
 from grammars.registry import sentence_form
-from grammars.sorts import kind
+from grammars.sorts import classes, kind
 from grammars.vocabulary import BORN
 from kernel.memory.lesson import Rule
 from kernel.memory.meaning import Teach
@@ -38,8 +38,12 @@ def rule(alist: AList) -> Teach:
     """A rule whose condition is a clause or the subject of a generic sentence."""
     build = Build()
     generic, conclusion = alist.find("generic"), alist.find("conclusion")
+    if (stuff := alist.find("stuff")) is not None:
+        generic = _stuff(stuff, alist.first("pred"))
     if generic is not None and kind(generic) in MUCH:
         raise NoMeaningError("a lot of people")
+    if generic is not None and _is_left_over(generic):
+        raise NoMeaningError("what remains")
     if generic is not None and "one" in (generic.slot("ako"), generic.value):
         raise NoMeaningError("nobody in particular")
     if generic is not None:
@@ -61,6 +65,8 @@ def rule(alist: AList) -> Teach:
         raise NoMeaningError("what is to be done")
     if _is_small_talk(condition_, then):
         raise NoMeaningError("small talk")
+    if generic is not None and all(term.negated for term in condition_ if term.links):
+        raise NoMeaningError("nothing in particular")  # "anything that is not red is blue"
     if any(term.ref in ("he", "she", "they") for term in condition_) or _is_name(said):
         raise NoMeaningError("somebody in particular")
     pred = said.find("pred")
@@ -85,6 +91,20 @@ def _is_proverb(pred: AList) -> bool:
     kinds = pred.all("kindof")
     owners = [owner for kindof in kinds for owner in kindof.all("owner", "np")]
     return any(owner.slot("det") in ("a", "an") for owner in owners)
+
+
+def _stuff(stuff: AList, pred: AList) -> AList:
+    """ "Soup is hot" is said of a stuff, "cup is hot" of nothing."""
+    passing = any(qual.slot("hq") in classes()["placed"] for qual in pred.all("qual"))
+    if passing or stuff.value not in classes()["mass"]:  # "food is ready"
+        raise NoMeaningError(str(stuff))
+    return AList("generic", (AList("ako", value=stuff.value),))
+
+
+def _is_left_over(generic: AList) -> bool:
+    """ "What is left is right"."""
+    bare = all(part.name == "qual" for part in generic)
+    return bare and any("DIR" in BORN.readings(qual.slot("hq")) for qual in generic)
 
 
 def _is_anybody(np: AList) -> bool:
@@ -144,7 +164,8 @@ def _kind(build: Build, generic: AList) -> tuple[Graphlet, str]:
     with build.drawing(pattern=True):
         thing = build.thing(AList("np", generic.parts or (AList("akos", value=generic.value),)))
         said = [build.sketch.terms[name] for name in build.board]
-        for role in ("ako", "hq", "loc", "agt", "obj"):
+        vague = generic.has("vague")  # "whoever is crying": what tells him apart is the condition
+        for role in ("agt", "hq", "ako", "loc") if vague else ("ako", "hq", "loc", "agt", "obj"):
             for term in said:
                 if (role, thing) in term.links:
                     return build.graphlet(term.name), thing

@@ -9,6 +9,7 @@ from typing import Final
 from grammars.earley import closed_words
 from grammars.mentions import WOMEN
 from grammars.morphology import article, comparative, gerund, past, plural, third_person
+from grammars.render.counting import there_are
 from grammars.render.deeds import be, deed
 from grammars.render.qualities import degree, quality
 from grammars.render.telling import SAYING, Telling, is_predicate, linked, word
@@ -16,8 +17,6 @@ from grammars.render.things import PRONOUNS, alike, description, kind, owned, pl
 from grammars.sorts import NOBODY, classes
 from grammars.vocabulary import BORN
 from kernel.net.graphlet import Graphlet, Term
-
-POINTING: Final = ("this", "that")
 
 
 @dataclass(frozen=True, slots=True)
@@ -83,7 +82,12 @@ def clause(telling: Telling, term: Term, hedge: str, others: Iterable[Term] = ()
     if telling.term(name).kind == "act":  # "it is dangerous to touch the lamp"
         so = f"{'not ' if term.negated else ''}{adverb}{_as_quality(telling, term)} to {deed(telling, name)}"
         return Clause("it", "is", f"is {so}", so)
-    waiting = [t for t in others if t.negated and t.name not in telling.stated]
+    if role == "ako" and telling.about(name, "cnt") and not telling.term(name).ref:
+        verb, there = there_are(telling, term, name)
+        return Clause("there", verb, f"{verb} {there}", there)
+    of_kind = telling.new(term) if role == "ako" else []  # "an animal that does not run"
+    apart = [t for t in others if t.kind != "act" or t not in of_kind]
+    waiting = [t for t in apart if t.negated and t.name not in telling.stated]
     with_kind = role == "ako" and not _picked_out(telling, name)
     later = telling.about(name, "hq", "loc", "own") if with_kind else []
     known = any(found.main == name for found in telling.described)
@@ -95,7 +99,6 @@ def clause(telling: Telling, term: Term, hedge: str, others: Iterable[Term] = ()
         said = telling.about(name, *(("own", "hq", "loc") if role == "ako" else ("hq",)))
         later = [other for other in said if _is_told(telling, term, other)]
     telling.hold_back((*waiting, *later))
-    verb = "are" if telling.several(name) else ""
     subject = _subject(telling, name, term.negated)
     telling.release(mine if denying else later)
     such = _kind_denied(telling, term, name) if denying or telling.term(name).lex else []
@@ -109,7 +112,7 @@ def clause(telling: Telling, term: Term, hedge: str, others: Iterable[Term] = ()
         telling.hold_back(also)
     telling.release(waiting)
     denied = "not " if term.negated and subject not in NOBODY else ""
-    verb = verb or be(subject)
+    verb = "are" if telling.several(name) else be(subject)
     return Clause(subject, verb, f"{verb} {denied}{adverb}{rest}", f"{denied}{adverb}{rest}")
 
 
@@ -222,13 +225,13 @@ def naming(telling: Telling, term: Term, told: bool = False) -> Clause:
     if subject == "it":  # "it is Rover" would be somebody speaking
         subject = "its name"
     if subject == proper(word(term)):
-        subject = term.ref if term.ref in POINTING else "something"
+        subject = term.ref if term.ref in ("this", "that") else "something"
     return Clause(subject, be(subject), f"{be(subject)} {rest}", rest)
 
 
 def _unnamed(telling: Telling, term: Term) -> str:
     """The thing without its name: "the dog" of "is the dog Rex"."""
-    if term.ref not in ("", *POINTING) or telling.about(term.name, "ako"):
+    if term.ref not in ("", "this", "that") or telling.about(term.name, "ako"):
         telling.terms[term.name] = replace(term, lex=frozenset())
     subject = thing(telling, term.name, "subject")
     telling.terms[term.name] = term

@@ -50,6 +50,8 @@ _PRONOUNS: Final = [
     ["that"],
     ["this"],
 ]
+# They stay behind their verb: "wait for me".
+_BOUND: Final = ("for", "at", "after", "of", "to")
 _YOURSELF: Final = {"teacher": "yourself", "robot": "myself"}
 _COUNTS: Final = {"1": "once", "2": "twice"}
 _KNOWN_ROLES: Final = ("agt", "obj", "dest", "cmd")
@@ -69,7 +71,12 @@ def deed(telling: Telling, name: str, form: VerbForm = "base", told: bool = Fals
     telling.stated.add(name)
     verb, _, particle = (word(term) or "do something").partition(" ")
     arguments = _arguments(telling, term, told)
-    parted = bool(particle) and arguments[:1] in _PRONOUNS and linked(term, "obj") != ""
+    parted = (
+        bool(particle)
+        and particle not in _BOUND
+        and arguments[:1] in _PRONOUNS
+        and linked(term, "obj") != ""
+    )
     said = [arguments[0], particle, *arguments[1:]] if parted else [particle, *arguments]
     words = [verb, *filter(None, said), *_modifiers(telling, term)]
     return _FORMS[form](" ".join(words))

@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import Final
 
 from grammars.morphology import comparative, plural, superlative
+from grammars.pacing import TIMES
 from grammars.render.telling import Telling, word
 from grammars.vocabulary import BORN
 from kernel.net.graphlet import Term
@@ -32,11 +33,14 @@ def quality(telling: Telling, term: Term) -> str:
     degrees = telling.take(term.name, "deg")
     if any(word(d) == "most" for d in degrees):
         return superlative(word(term))
-    amounts = [measured(amt.literal or "1", word(amt)) for amt in telling.take(term.name, "amt")]
+    taken = telling.take(term.name, "amt")
+    lasting = [amt for amt in taken if word(amt) in TIMES]  # "stuck for a minute"
+    amounts = [measured(amt.literal or "1", word(amt)) for amt in taken if amt not in lasting]
+    while_ = "".join(f" for {measured(amt.literal or '1', word(amt))}" for amt in lasting)
     if any(word(d) == "more" for d in degrees):  # "closer than 10 inches"
         return comparative(word(term)) + "".join(f" than {amount}" for amount in amounts)
     said = " ".join((*amounts, "".join(map(_degree, degrees)) + word(term)))
-    return f"made of {said}" if is_material(term) else said
+    return f"made of {said}" if is_material(term) else said + while_
 
 
 def is_material(term: Term) -> bool:

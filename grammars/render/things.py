@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import Final, Literal
 
+from grammars.manners import MORE_THAN_ONE, so_many
 from grammars.morphology import article, comparative, gerund, past, plural, third_person
 from grammars.render.qualities import is_material, measured, quality
 from grammars.render.telling import GROUPS, Telling, linked, word
@@ -53,7 +54,7 @@ def thing(telling: Telling, name: str, case: Case = "object") -> str:
         telling.mention(name, "" if term.lex else next(iter(kinds), ""))
     if phrase in PRONOUNS:
         return PRONOUNS[phrase][_CASES.index(case)]
-    return possessive(phrase) if case == "possessive" else phrase
+    return f"{phrase}'s" if case == "possessive" else phrase
 
 
 def pronoun(telling: Telling, person: str, case: Case) -> str:
@@ -61,11 +62,6 @@ def pronoun(telling: Telling, person: str, case: Case) -> str:
     if telling.voice == "robot":
         person = {"you": "me", "me": "you"}[person]
     return PRONOUNS[person][_CASES.index(case)]
-
-
-def possessive(phrase: str) -> str:
-    """Whose: Mary's; the boss's."""
-    return f"{phrase}'s"
 
 
 def proper(name: str) -> str:
@@ -127,11 +123,11 @@ def description(telling: Telling, name: str, noun: str) -> tuple[str, str, str]:
     """
     kinds = [t for t in telling.about(name, "ako") if not t.negated]
     telling.hold_back(kinds)
-    plain, after = [], []
+    plain, after, denied = [], list[str](), list[str]()
     for term in telling.take(name, "hq"):
         other = linked(term, "than")
         if term.negated:
-            after.append(f"that is not {quality(telling, term)}")
+            denied.append(quality(telling, term))
         elif linked(term, "as"):
             after.append(f"that is {alike(telling, term)}")
         elif other:
@@ -140,6 +136,8 @@ def description(telling: Telling, name: str, noun: str) -> tuple[str, str, str]:
             after.append(f"that is {quality(telling, term)}")
         else:
             plain.append(quality(telling, term))
+    if denied:
+        after.insert(0, f"that is not {' or '.join(denied)}")
     for term in telling.take(name, "loc"):
         after.append(
             f"that is not {place(telling, term)}" if term.negated else place(telling, term)
@@ -225,6 +223,7 @@ def _at_it(telling: Telling, term: Term) -> str:
     known = BORN.readings(word(term))
     stays = "STATE" in known and "VERB" not in known
     verb = third_person(word(term)) if stays else f"is {gerund(word(term))}"
+    verb = f"does not {word(term)}" if term.negated else verb
     what = thing(telling, linked(term, "obj")) if linked(term, "obj") else ""
     ways = (word(way) for way in telling.take(term.name, "dir"))
     return " ".join(filter(None, ("that", verb, what, *ways)))
@@ -259,14 +258,15 @@ def _first(telling: Telling, term: Term) -> str:
     bare = "one" if ref == "one" else "thing"
     if ref in ("", "somebody", "every") and not owners:
         bare = ""
-    numbers = [count.literal or "" for count in telling.take(name, "cnt")]
+    counts = [count.literal or "" for count in telling.take(name, "cnt")]
+    numbers = list(map(so_many, counts))
     before, noun, after = description(telling, name, "thing" if numbers else bare)
     if ref == "every" and noun == "person" and not before and not whose:
         return " ".join(filter(None, ("everybody", after)))
     if not noun:
         vague = {"somebody": "somebody", "every": "everything"}.get(ref, "something")
         return " ".join(filter(None, (vague, before, after)))
-    several = bool(numbers) or ref in GROUPS
+    several = (bool(numbers) and counts != [MORE_THAN_ONE]) or ref in GROUPS
     phrase = " ".join(filter(None, (*numbers, before, plural(noun) if several else noun, after)))
     if whose:
         return f"{whose} {phrase}"

@@ -39,6 +39,15 @@ class Teach:
         """All of them."""
         return (self.content, *self.others)
 
+    def kind_of(self, content: Rule | Operator) -> LessonKind:
+        """Kind of one of them: what is allowed and what is not may be told in one breath."""
+        first = self.content
+        if not (isinstance(first, Operator) and isinstance(content, Operator)):
+            return self.kind
+        if first.trigger.tag == content.trigger.tag:
+            return self.kind
+        return "permission" if content.trigger.tag == "ALLOW" else "prohibition"
+
 
 Ask = Literal["what", "where", "who", "howmany", "yesno", "why", "which", "how", "when"]
 
