@@ -153,9 +153,9 @@ class Build(Things):
                 self.add("cnt", literal=limited(self, part, count(part)), cnt=act)
             elif part.name == "counting_up" and "count" in self.sketch.terms[act].lex:
                 self.add("amt", literal=part.slot("num"), amt=act)
-            elif part.name == "degrees_so":
+            elif part.name == "degrees_so" and not action.has("dest"):
                 degrees_so(self, act, part)
-            elif part.name in ("counting_up", "in_a_while"):
+            elif part.name in ("counting_up", "in_a_while", "degrees_so"):
                 raise NoMeaningError(str(action))  # together with something else, or as a trigger
             elif part.name == "the_other_way":
                 self.add("dir", OTHER_WAY, dir=act)

@@ -96,7 +96,10 @@ def _is_proverb(pred: AList) -> bool:
 def _stuff(stuff: AList, pred: AList) -> AList:
     """ "Soup is hot" is said of a stuff, "cup is hot" of nothing."""
     passing = any(qual.slot("hq") in classes()["placed"] for qual in pred.all("qual"))
-    if passing or stuff.value not in classes()["mass"]:  # "food is ready"
+    whose = any(part.name in ("own", "owner", "np") for part in pred.walk())
+    if (
+        passing or whose or stuff.value not in classes()["mass"]
+    ):  # "food is ready", "music is my life"
         raise NoMeaningError(str(stuff))
     return AList("generic", (AList("ako", value=stuff.value),))
 
