@@ -83,10 +83,8 @@ def clause(telling: Telling, term: Term, hedge: str, others: Iterable[Term] = ()
         so = f"{'not ' if term.negated else ''}{adverb}{_as_quality(telling, term)} to {deed(telling, name)}"
         return Clause("it", "is", f"is {so}", so)
     if role == "ako" and telling.about(name, "cnt") and not telling.term(name).ref:
-        verb, there = there_are(telling, term, name)
-        return Clause("there", verb, f"{verb} {there}", there)
-    of_kind = telling.new(term) if role == "ako" else []  # "an animal that does not run"
-    apart = [t for t in others if t.kind != "act" or t not in of_kind]
+        return Clause("there", *there_are(telling, term, name))
+    apart = [t for t in others if t.kind != "act" or role != "ako" or t not in telling.new(term)]
     waiting = [t for t in apart if t.negated and t.name not in telling.stated]
     with_kind = role == "ako" and not _picked_out(telling, name)
     later = telling.about(name, "hq", "loc", "own") if with_kind else []

@@ -8,9 +8,10 @@ from grammars.render.things import thing
 from kernel.net.graphlet import Term
 
 
-def there_are(telling: Telling, term: Term, name: str) -> tuple[str, str]:
-    """ "Are" and "2 people", to be said after "there"."""
+def there_are(telling: Telling, term: Term, name: str) -> tuple[str, str, str]:
+    """What is said after "there": "are", "are 2 people", "2 people"."""
     telling.release([term])
     there = thing(telling, name, "subject")
     telling.hold_back([term])
-    return "is" if there.startswith(so_many(MORE_THAN_ONE)) else "are", there
+    verb = "is" if there.startswith(so_many(MORE_THAN_ONE)) else "are"
+    return verb, f"{verb} {there}", there
