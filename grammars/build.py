@@ -245,8 +245,9 @@ class Build(Things):
         if inquiry.has("nearby"):
             return Directive("DO", self.graphlet(self.add("act", "look around")))
         if (done := inquiry.find("what_done")) is not None:
-            if usages(done.slot("does")) & {"alone", "self"}:  # "what color the block cha-chas"
-                raise NoMeaningError(str(done))
+            does, of = done.slot("does"), done.slot("attribute")
+            if "alone" in usages(does) or (is_attribute(of) and "having" not in usages(does)):
+                raise NoMeaningError(str(done))  # "what color the block cha-chas"
             wanted = self.add("obj")
             self.add("ako", done.slot("attribute"), ako=wanted)
             self.add("act", done.slot("does"), agt=self.aside(done.first("np")), obj=wanted)

@@ -27,7 +27,6 @@ TURNS: Final = frozenset(("left", "right", "clockwise", "counterclockwise", "aro
 TURNING: Final = TURNERS | {"roll"}
 LEAST_DEGREES: Final = 10  # nobody turns "right 3"
 FRACTIONS: Final = {"quarter": 0.25, "half": 0.5}
-STANDING: Final = ("stop", "halt", "freeze", "wait", "pause", "rest")
 LIFTS: Final = {"up": "raise", "down": "lower"}
 
 
@@ -52,7 +51,7 @@ def plays(build: Build, play: AList) -> list[Play]:
     beside: list[Part] = []
     for part in play:
         match part.name:
-            case "action" if part.slot("act") in STANDING and _moves(play.find("acting")):
+            case "action" if "halting" in usages(part.slot("act")) and _moves(play.find("acting")):
                 raise NoMeaningError(str(play))  # "stop while driving forward"
             case "action" | "acting":
                 with build.drawing(pattern=False):
@@ -113,7 +112,9 @@ def _moves(acting: AList | None) -> bool:
 
 
 def _is_odd_keeping(keeping: AList) -> bool:
-    return is_nothing(keeping.first("np")) or is_odd_end(keeping.first("np"), keeping.first("qual"))
+    kept = keeping.first("np")
+    nobody = is_nothing(kept) or kept.slot("pron") == "you"
+    return nobody or is_odd_end(kept, keeping.first("qual"))
 
 
 def _claim(build: Build, part: AList) -> Graphlet:

@@ -15,11 +15,11 @@ from grammars.morphology import readings as inflected
 from grammars.nearest import english
 from grammars.normalise import (
     Piece,
-    repaired_by_speaker,
     without_chat,
     without_emphasis,
     without_repeats,
 )
+from grammars.repairing import repaired_by_speaker
 from grammars.sorts import HERE
 from grammars.source import set_categories
 from grammars.vocabulary import OPEN, Vocabulary, set_phrases

@@ -7,7 +7,7 @@ kept as said: a quote is cut out of the text by position, so nothing done here r
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Container, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Final
 from unicodedata import normalize
@@ -82,14 +82,9 @@ ENDINGS: Final = {"'m": "am", "'re": "are", "'ve": "have", "'ll": "will", "'d": 
 IS_ONLY: Final = frozenset(
     "it that there he she name what where who how here when why this everything".split()
 )
-# Categories whose words are put right one for one: "turn left no right". A verb takes all after it along.
-REPAIRABLE: Final = ("DIR", "ADV", "UNIT", "ADJ", "NOUN", "PROPER", "VERB")
 UNFINISHED: Final = frozenset("the a an my your his their our".split())
 ABBREVIATED: Final = frozenset("mr mrs ms dr prof deg ft cm mm min mins sec secs".split())
-THANKING: Final = ("thanks", "thank")
-COUNTING: Final = frozenset("there is are was were has have had with see means say".split())
 MOST_STAMMERED: Final = 3
-MOST_TAKEN_BACK: Final = 7  # words
 
 
 @dataclass(frozen=True, slots=True)
@@ -189,19 +184,19 @@ def _numbers(found: list[Piece]) -> list[Piece]:
 def without_chat(found: Sequence[Piece]) -> list[Piece]:
     """Sighs and words of thinking left out, at the beginning or beside a comma: "could you, like, turn left"."""
     if (
-        _texts(found[1:3]) == ["you", "like"]
+        texts(found[1:3]) == ["you", "like"]
         and found[0].text in MODALS
-        and _texts(found[3:4]) != ["to"]
+        and texts(found[3:4]) != ["to"]
     ):
         found = [*found[:2], *found[3:]]
     for said in THINKING:
         for at in range(len(found) - len(said) + 1):
             end = at + len(said)
-            if tuple(_texts(found[at:end])) != said:
+            if tuple(texts(found[at:end])) != said:
                 continue
             comma = before = at > 0 and found[at - 1].kind == "comma"
             before = before or (
-                said == ("you", "know") and _texts(found[at - 1 : at]) in (["then"], ["and"])
+                said == ("you", "know") and texts(found[at - 1 : at]) in (["then"], ["and"])
             )
             opening = all(piece.text in OPENERS for piece in found[:at])
             closing = end == len(found) and said == ("you", "know")
@@ -229,71 +224,12 @@ def without_repeats(found: Sequence[Piece]) -> list[Piece]:
         for size in range(1, MOST_STAMMERED + 1):
             last, before = result[-size:], result[-2 * size : -size]
             broken_off = size == 1 or 2 * size < len(found)
-            if broken_off and last[0].kind == "word" and _texts(last) == _texts(before):
+            if broken_off and last[0].kind == "word" and texts(last) == texts(before):
                 del result[-size:]
                 break
     return result
 
 
-def _texts(found: Sequence[Piece]) -> list[str]:
+def texts(found: Sequence[Piece]) -> list[str]:
+    """The words alone."""
     return [piece.text for piece in found]
-
-
-def repaired_by_speaker(
-    found: Sequence[Piece], sorts: Callable[[str], Container[str]] = lambda _: ()
-) -> list[Piece]:
-    """Self-repair carried out: "turn left i mean right" is "turn right", "five no six inches" is "6 inches".
-
-    sorts: the categories of a word; the correction takes the place of what is of its sort.
-    """
-    texts = _texts(found)
-    for marker in (
-        ["no", "i", "mean"],
-        ["sorry", ",", "i", "meant"],
-        ["sorry", "i", "meant"],
-        ["no", "sorry"],
-        ["wait", "no"],
-        ["i", "meant"],
-        ["make", "that"],
-        ["i", "mean"],
-        ["no", "wait"],
-        ["or", "rather"],
-        ["sorry"],
-        ["no"],
-    ):
-        for at in range(1, len(texts) - len(marker)):
-            if texts[at : at + len(marker)] != marker:
-                continue
-            if marker == ["no"] and texts[at - 1] in COUNTING:
-                continue  # "there are no free lunches"
-            if texts[at + len(marker)] in THANKING:
-                continue
-            before = [piece for piece in found[:at] if piece.kind != "comma"]
-            after = [piece for piece in found[at + len(marker) :] if piece.kind != "comma"]
-            if marker == ["no"] and after and "VERBING" in sorts(after[0].text):
-                continue  # "no shouting" forbids something
-            return _put_right(before, after, sorts) if after else before
-    return list(found)
-
-
-def _put_right(
-    before: list[Piece], after: list[Piece], sorts: Callable[[str], Container[str]]
-) -> list[Piece]:
-    """The correction in the place of the same word, else of a word of its sort, else of as many words; what followed a
-    single word that was corrected stays."""
-    new = after[0]
-    if "VERB" in sorts(new.text) and not any("VERB" in sorts(piece.text) for piece in before):
-        return []  # there was no deed that could be put right
-    is_deed = len(after) > 1 and "VERB" in sorts(new.text)
-    sort = ["VERB"] if is_deed else [name for name in REPAIRABLE if name in sorts(new.text)]
-    same = [at for at, piece in enumerate(before) if piece.text == new.text]
-    number = [at for at, piece in enumerate(before) if piece.kind == new.kind == "number"]
-    told = [is_deed and piece.text in UNFINISHED for piece in before]  # "the lift" is none
-    loose = [at for at in range(len(before)) if not any(told[at - 1 : at])]
-    alike = [at for at in loose if any(name in sorts(before[at].text) for name in sort)]
-    places = same or number or alike
-    again = places[-1] if places else max(0, len(before) - len(after))
-    if len(before) - again > MOST_TAKEN_BACK:
-        return []  # nobody says so much before he notices
-    stays = bool(places) and len(after) == 1 and sort != ["VERB"]
-    return [*before[:again], *after, *(before[again + 1 :] if stays else ())]

@@ -33,9 +33,9 @@ THIRD: Final = frozenset(
 )
 OBJECTS: Final = ("me", "him", "us", "them", "anytime")
 # What nobody wants to be told: orders, and where to go.
-UNASKED: Final = ("command", "prohibition", "trust", "dest")
-NO_OPENING: Final = frozenset(("VERBED", "VERBING", "VERBS", "DIR"))
-OPENING: Final = frozenset(("NOUN", "NOUNS", "VERB", "STATE", "PROPER"))
+UNASKED: Final = ("command", "prohibition", "trust", "control", "revision", "dest")
+NO_OPENING: Final = frozenset("VERBED VERBING VERBS DIR VERB STATE ADJER ADJEST".split())
+OPENING: Final = frozenset(("NOUN", "NOUNS", "PROPER"))
 # After these anything is a quote; "tell me", though, mostly asks for what the robot knows.
 LITERALLY: Final = frozenset("say saying tell telling ask asking".split())
 RECITING: Final = frozenset("recite reciting".split())

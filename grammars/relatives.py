@@ -79,6 +79,8 @@ def _seen(build: Things, name: str, seen: AList) -> None:
         strand = ""
     elif seen.has("dir"):
         raise NoMeaningError(str(seen))
+    if "halting" in usages(verb):  # "the kitchen you can stop now"
+        raise NoMeaningError(str(seen))
     if verb in PUTTING and not (seen.has("place") or strand):  # "the cup I put on the bed"
         raise NoMeaningError(str(seen))
     links = {"agt": agent}

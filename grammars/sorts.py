@@ -203,7 +203,9 @@ def _is_somewhere(quality: str, loc: AList) -> bool:
 
 def is_graded(quality: str, degrees: Sequence[str]) -> bool:
     """There may be so much of it: nothing is "very up", or "very too far"."""
-    return not ("very" in degrees and quality in POSITIONS) and list(degrees) != ["very", "too"]
+    return not ("very" in degrees and quality in POSITIONS | {"left", "right"}) and list(
+        degrees
+    ) != ["very", "too"]
 
 
 def is_recited(np: AList) -> bool:

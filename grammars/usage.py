@@ -41,7 +41,7 @@ WORKED: Final = POSITIONS | HERE
 SINGLE: Final = ("hand", "arm", "claw")  # of which the robot has one
 MOST_QUALITIES: Final = 2  # of a thing without an article
 MOST_MANNERS: Final = 2
-ONCE: Final = ("cnt", "size", "amt")  # an action has one of each
+ONCE: Final = ("cnt", "size", "amt", "dest")  # an action has one of each
 TIMES_OF_DAY: Final = frozenset(
     "noon midnight night morning evening afternoon dawn dusk sunset nightfall summer winter autumn".split()
 )
@@ -81,8 +81,8 @@ def is_used(action: AList, verb: str, pattern: bool) -> bool:
         return False
     if not pattern and (_lacks(action, obj, uses) or _is_upon_nothing(action)):
         return False
-    if not pattern and "sensing" in uses:
-        return False  # "see the red block" is no order
+    if not pattern and not uses.isdisjoint(("sensing", "minding")):
+        return False  # nobody orders "see the red block" or "want it"
     if not pattern and (_is_by_way_of_speaking(action, obj) or is_odd_manner(action, obj)):
         return False
     if "whole" in uses and (action.has("size") or action.has("amt")):
@@ -252,6 +252,8 @@ def _is_short(np: AList, told: bool = False) -> bool:
     """A thing without an article as children and telegrams have it: "grab red block"; nothing at more length."""
     if not is_bare(np):
         return True
+    if kind(np) == "back":  # "pause above back"
+        return False
     quals = np.all("qual")
     if len(quals) > MOST_QUALITIES or any(qual.has("more") for qual in quals):
         return False

@@ -6,7 +6,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from grammars.normalise import pieces, repaired_by_speaker, without_chat, without_repeats
+from grammars.normalise import pieces, without_chat, without_repeats
+from grammars.repairing import repaired_by_speaker
 
 
 def words(text: str) -> str:
