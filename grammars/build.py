@@ -197,11 +197,8 @@ class Build(Things):
         hearer = speech.find("hearer", "listener")
         if hearer is not None and hearer.parts:
             every = hearer.find("every")
-            links["dest"] = (
-                self.thing(hearer.find("np") or hearer, person=True)
-                if every is None
-                else self.every(every)
-            )
+            np = hearer.find("np") or hearer
+            links["dest"] = self.thing(np, person=True) if every is None else self.every(every)
         if "dest" not in links and verb == "tell":  # "tell everyone dinner is ready"
             verb = "say"
         act = self.add("act", verb, **links)
@@ -245,8 +242,8 @@ class Build(Things):
         if inquiry.has("nearby"):
             return Directive("DO", self.graphlet(self.add("act", "look around")))
         if (done := inquiry.find("what_done")) is not None:
-            does, of = done.slot("does"), done.slot("attribute")
-            if "alone" in usages(does) or (is_attribute(of) and "having" not in usages(does)):
+            uses = usages(done.slot("does"))
+            if "alone" in uses or ("having" not in uses and is_attribute(done.slot("attribute"))):
                 raise NoMeaningError(str(done))  # "what color the block cha-chas"
             wanted = self.add("obj")
             self.add("ako", done.slot("attribute"), ako=wanted)
