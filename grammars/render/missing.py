@@ -107,7 +107,8 @@ def occasion(telling: Telling, about: Graphlet) -> str:
 
 
 def _deed_or_do(telling: Telling, name: str) -> str:
-    return deed(telling, name) if telling.term(name).lex else "do"
+    term = telling.term(name)
+    return deed(telling, name) if term.lex else f"do {term.ref}".strip()
 
 
 def spaced(text: str) -> str:
