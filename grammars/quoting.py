@@ -31,7 +31,7 @@ SUBJECTS: Final = frozenset(
 THIRD: Final = frozenset(
     "the a an my his her its their our this that he she it somebody someone something anybody anyone nobody".split()
 )
-OBJECTS: Final = ("me", "him", "us", "them", "anytime")
+UNBEGUN: Final = ("me", "him", "us", "them", "anytime", "asks", "tells", "says")
 # What nobody wants to be told: orders, and where to go.
 UNASKED: Final = ("command", "prohibition", "trust", "control", "revision", "dest")
 NO_OPENING: Final = frozenset("VERBED VERBING VERBS DIR VERB STATE ADJER ADJEST".split())
@@ -73,7 +73,7 @@ def _may_be_spoken(before: Sequence[str], words: Sequence[Leaf], derive: Derive)
 
 def _is_no_opening(token: Token) -> bool:
     """Hardly anybody begins a message so: "me everything you know", "learned today", "burning says"."""
-    if token.piece.text in OBJECTS:
+    if token.piece.text in UNBEGUN:
         return True
     return bool(token.readings.keys() & NO_OPENING) and OPENING.isdisjoint(token.readings)
 

@@ -128,7 +128,9 @@ def agrees(np: AList) -> bool:
     if np.slot("sub") and np.slot("sub") == kind(np):  # "a block block"
         return False
     quals = {qual.slot("hq") for qual in np.all("qual")}
-    if np.has("vague") and (quals & POSITIONS or any(qual.has("most") for qual in np.all("qual"))):
+    if np.has("vague") and (
+        quals & (POSITIONS | {"left", "right"}) or any(qual.has("most") for qual in np.all("qual"))
+    ):
         return False  # "something up", "something stickiest"
     switched = kind(np) in classes()["switches"]
     if is_bare(np) and (quals & HERE or (quals & POSITIONS and not switched)):
@@ -203,7 +205,7 @@ def _is_somewhere(quality: str, loc: AList) -> bool:
 
 def is_graded(quality: str, degrees: Sequence[str]) -> bool:
     """There may be so much of it: nothing is "very up", or "very too far"."""
-    return not ("very" in degrees and quality in POSITIONS | {"left", "right"}) and list(
+    return not ("very" in degrees and quality in POSITIONS | HERE | {"left", "right"}) and list(
         degrees
     ) != ["very", "too"]
 
@@ -225,5 +227,7 @@ def is_country(np: AList) -> bool:
 def may_receive(np: AList) -> bool:
     """Something is given to somebody in particular, or to people: "give people flowers", and not "give walls paint"."""
     if is_country(np):
+        return False
+    if is_bare(np) and np.has("one"):  # "get ones"
         return False
     return not is_bare(np) or not BORN.knows(kind(np)) or is_people(np)

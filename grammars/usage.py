@@ -35,7 +35,7 @@ from grammars.ways import BACKING, TURNERS, WAYS, is_somewhere
 PATHS: Final = frozenset("up down in out over around through along".split())
 # Qualities that stand behind a thing only, unless it has an article ("press the on button").
 BEHIND: Final = frozenset(
-    "up down on off here there gone home away asleep awake alone alive afraid near".split()
+    "up down on off around here there gone home away asleep awake alone alive afraid near".split()
 )
 WORKED: Final = POSITIONS | HERE
 SINGLE: Final = ("hand", "arm", "claw")  # of which the robot has one

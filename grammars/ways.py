@@ -31,6 +31,7 @@ NO_WAY: Final = frozenset(
 PARTICLES: Final = frozenset("in out on off up down over".split())
 NO_COURSE: Final = frozenset(("on", "around", "about"))
 ON_SOMEBODY: Final = frozenset("it me him her them us".split())
+LIFTED: Final = {"lower": "up", "raise": "down", "lift": "down"}
 CLIMBING: Final = ("go", "come", "climb", "fly", "head", "look", "back")
 SWITCHING: Final = frozenset(("on", "off"))
 TURNERS: Final = frozenset("turn rotate spin swivel pivot twirl circle twist revolve".split())
@@ -93,6 +94,8 @@ def _is_crossed(action: AList, obj: AList | None, dirs: list[str]) -> bool:
     if every is not None and action.slot("act") in BACKING:
         return kind(every) not in classes()["backing"] | {""}
     particles = said & PARTICLES
+    if LIFTED.get(action.slot("act")) in said:  # "lower it up"
+        return True
     if obj is None and said & WAYS and said & VERTICAL and action.slot("act") not in CLIMBING:
         return True  # "drive forward up"
     upward = obj is None and action.slot("act") in TURNERS and bool(said & VERTICAL)
