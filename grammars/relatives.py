@@ -50,7 +50,7 @@ def relative(build: Things, name: str, np: AList, rel: AList) -> None:
             raise NoMeaningError(str(rel))
         predicate(build, name, posed.first("place"), negated=False)
     elif any(rel.has(part) for part in ("going", "has_it", "habit", "habit_s")):
-        _doing(build, name, np, rel)
+        _doing(build, name, rel)
     elif (seen := rel.find("seen_by")) is not None and _may_be_told_apart(np):
         _seen(build, name, seen)
     elif rel.has("gerund"):
@@ -107,13 +107,11 @@ def _seer(build: Things, seer: AList) -> str:
     return build.oneself("me" if seer.has("me") else "you")
 
 
-def _doing(build: Things, name: str, np: AList, rel: AList) -> None:
+def _doing(build: Things, name: str, rel: AList) -> None:
     """What a thing does or has: "who is holding a cup", "that has wheels"."""
     going = rel.find("going", "habit", "habit_s") or rel
     links = {"agt": name}
     verb = next(filter(None, map(going.slot, VERB_SLOTS)), going.value or "")
-    if going.name == "habit" and np.has("ako"):  # "the block that turn"
-        raise NoMeaningError(str(rel))
     if (obj := going.find("np")) is not None:
         links["obj"] = build.thing(obj)
     elif going.name.startswith("habit") and "needing" in usages(verb):
