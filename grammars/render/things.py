@@ -6,7 +6,7 @@ from typing import Final, Literal
 
 from grammars.manners import MORE_THAN_ONE, so_many
 from grammars.morphology import article, comparative, gerund, past, plural, third_person
-from grammars.render.qualities import is_material, measured, quality
+from grammars.render.qualities import degree, is_material, measured, quality
 from grammars.render.telling import GROUPS, Telling, linked, word
 from grammars.sorts import classes
 from grammars.usage import BEHIND
@@ -210,7 +210,7 @@ def _own_doings(telling: Telling, name: str) -> list[Term]:
         if {role for role, _ in term.links} <= {"agt", "obj"}
         and not telling.is_main(term.name)
         and not any(
-            term.name in {o for r, o in other.links if r != "dir"}
+            term.name in {o for r, o in other.links if r not in ("dir", "mod")}
             for other in telling.terms.values()
         )
     ]
@@ -225,7 +225,8 @@ def _at_it(telling: Telling, term: Term) -> str:
     verb = third_person(word(term)) if stays else f"is {gerund(word(term))}"
     verb = f"does not {word(term)}" if term.negated else verb
     what = thing(telling, linked(term, "obj")) if linked(term, "obj") else ""
-    ways = (word(way) for way in telling.take(term.name, "dir"))
+    ways = [word(way) for way in telling.take(term.name, "dir")]
+    ways += [degree(telling, how.name) + word(how) for how in telling.take(term.name, "mod")]
     return " ".join(filter(None, ("that", verb, what, *ways)))
 
 
