@@ -192,6 +192,8 @@ class Things:
         anybody = vague in PERSON_WORDS and self.trigger
         of_owner = any(rel.find("owner_of", "of_owner") is not None for rel in np.all("rel"))
         ref = "somebody" if anybody else "one" if np.has("one") else REFS.get(det, "")
+        if kind == "one" and (np.has("qual") or np.has("rel")):  # "the red one" is no kind of thing
+            kind = ""
         if not det and (
             np.has("numbered") or is_superlative(np)
         ):  # "box two", "grab biggest block"

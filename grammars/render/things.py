@@ -256,7 +256,7 @@ def _first(telling: Telling, term: Term) -> str:
     denied = any(said.negated for said in telling.about(name, "ako", "own"))  # "that is not my dad"
     owners = [] if denied else [linked(own, "of") for own in telling.take(name, "own")]
     whose = thing(telling, owners[0], "possessive") if owners else ""
-    bare = "one" if ref == "one" else "thing"
+    bare = "one" if ref == "one" or telling.about(name, "hq", "loc") else "thing"
     if ref in ("", "somebody", "every") and not owners:
         bare = ""
     counts = [count.literal or "" for count in telling.take(name, "cnt")]

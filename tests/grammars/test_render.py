@@ -343,8 +343,8 @@ def test_the_robots_voice_has_words_for_every_form(sentence: str) -> None:
     [
         "drive faster",
         "turn left more quickly",
-        "find one on the left",
-        "grab a red one",
+        "find the one on the left",
+        "grab the red one",
         "grab the dog that is asleep",
     ],
 )

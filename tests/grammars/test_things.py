@@ -89,3 +89,7 @@ def test_a_new_thing_of_a_fact_is_not_looked_up() -> None:
     text = links_of_last_act("Mary has a red hat.")
     assert text.count("FIND[") == 1
     assert text.index("mary") < text.index("hat")
+
+
+def test_one_is_no_kind_of_thing() -> None:
+    assert "one" not in write_meaning(parse("is the red one heavy").meaning)
