@@ -21,8 +21,6 @@ from grammars.clauses import flat, names, stated
 from grammars.errors import NoMeaningError
 from grammars.manners import SIZES, bounded, limited, manner, not_too, resulting, unit_of
 from grammars.mentions import (
-    OWNING,
-    SELF_OWN,
     Thing,
     asked_if,
     but,
@@ -267,7 +265,7 @@ class Build(Things):
     def _asked_of(self, asked: AList) -> str:
         """Whose nature or whereabouts are asked: "what color it is", "its color", "the color of it"."""
         if own := asked.slot("own"):
-            return self.oneself(SELF_OWN[own]) if own in SELF_OWN else self.pronoun(OWNING[own])
+            return self.whom(own)
         return self.thing(asked.first("np", "owner"))
 
     def chain(self, chain: AList) -> Chain:

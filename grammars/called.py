@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from grammars.alist import AList
 from grammars.build import Build
-from grammars.mentions import OWNING, SELF_OWN
 from grammars.relatives import predicate
 from grammars.sorts import kind
 
@@ -27,5 +26,4 @@ def _owned_by(build: Build, owner: AList) -> str:
     """Node of whom "her" or "Mary's" tells of."""
     if owner.name != "own":
         return build.thing(owner.find("np") or owner, person=owner.has("name"))
-    own = owner.value or ""
-    return build.oneself(SELF_OWN[own]) if own in SELF_OWN else build.pronoun(OWNING[own])
+    return build.whom(owner.value or "")

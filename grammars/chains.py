@@ -249,9 +249,8 @@ def bare_chain(bare: AList) -> AList:
         way = "up" if part.find("higher") is not None else (ahead or "")
         unit = next((p.slot("unit") for p in parts if p.name == "amt"), "")
         if unit in TIMES or (unit != "degree" and unit and way in ("left", "around")):
-            raise NoMeaningError(
-                str(part)
-            )  # "two minutes left", "ten inches left": what remains; "around three inches"
+            # "two minutes left", "ten inches left": what remains; "around three inches"
+            raise NoMeaningError(str(part))
         verb = "turn" if way in TURNS else LIFTS.get(way, "drive")
         rest = parts
         if verb in LIFTS.values():

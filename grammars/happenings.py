@@ -8,14 +8,13 @@ from grammars.alist import AList
 from grammars.build import Build
 from grammars.clauses import in_the_past
 from grammars.errors import NoMeaningError
-from grammars.mentions import is_definite
+from grammars.mentions import US, is_definite
 from grammars.remarks import MENTAL
 from grammars.sorts import classes, is_abstract, is_bare, is_people, kind, usages
 from grammars.vocabulary import BORN
 from kernel.memory.meaning import Fact
 
 EVERYONE: Final = ("any", "every")
-US: Final = ("me", "us")
 LEAVING: Final = ("leave", "love", "dump")
 SPEAKING: Final = ("i", "we")
 # Done to what is no thing in the hand: of such doings of nobody in particular the radio talks.

@@ -13,12 +13,7 @@ from unicodedata import normalize
 
 from grammars.morphology import readings as inflected
 from grammars.nearest import english
-from grammars.normalise import (
-    Piece,
-    without_chat,
-    without_emphasis,
-    without_repeats,
-)
+from grammars.normalise import Piece, without_chat, without_emphasis, without_repeats
 from grammars.repairing import repaired_by_speaker
 from grammars.sorts import HERE
 from grammars.source import set_categories

@@ -14,8 +14,8 @@ from grammars.sorts import (
     is_bare,
     is_nothing,
     is_people,
+    is_said_to_persons,
     kind,
-    persons_own,
 )
 from grammars.usage import TIMES_OF_DAY
 from grammars.vocabulary import BORN
@@ -41,6 +41,8 @@ CONJUNCTIONS: Final = ("or", "but", "because", "about", "of")
 VAGUE: Final = (["nothing"], ["anything"], ["something"], ["everything"])  # nobody says just that
 UNADDRESSED: Final = ("you", "that", "this", "these", "those", "i", "he", "she", "they")
 FINITE: Final = frozenset("is are was were has may can will must should does did".split())
+# The speaker and who is with him.
+US: Final = ("me", "us")
 PERSONAL: Final = frozenset("him her he she".split())
 OF_WOMEN: Final = frozenset(("she", "her"))
 PERSON_WORDS: Final = frozenset(
@@ -204,7 +206,7 @@ def is_addressed(verb: str, speech: AList) -> bool:
     every = None if hearer is None else hearer.find("every")
     if any(_is_at_home(rel) for who in (np, every) if who is not None for rel in who.all("rel")):
         return False
-    if np is not None and np.slot("own") == "your" and kind(np) in persons_own():
+    if np is not None and is_said_to_persons(np):
         return False  # "say hello to your mother"
     return np is None or is_person(np) or not is_bare(np) or not BORN.knows(kind(np))
 

@@ -6,7 +6,6 @@ from typing import Final
 
 from grammars.alist import AList
 from grammars.errors import NoMeaningError
-from grammars.sorts import usages
 
 TIMES: Final = frozenset(("second", "minute", "hour"))
 FINER: Final = {"minute": ("second", 60), "hour": ("minute", 60)}
@@ -47,8 +46,8 @@ def waited(delayed: AList) -> AList:
     action = delayed.find("action") or delayed
     amt = (delayed if action is not delayed else action).first("in_a_while").first("amt")
     wait = _waiting(amt)
-    if "sensing" in usages(action.slot("act")) or _is_back(action):
-        raise NoMeaningError(str(delayed))  # "see a thread in an hour"
+    if _is_back(action):
+        raise NoMeaningError(str(delayed))
     now = AList("action", tuple(part for part in action if part.name != "in_a_while"))
     return AList("chain", tuple(AList("play", (a,)) for a in (wait, now)))
 

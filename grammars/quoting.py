@@ -36,8 +36,9 @@ UNBEGUN: Final = ("me", "him", "us", "them", "anytime", "asks", "tells", "says")
 UNASKED: Final = ("command", "prohibition", "trust", "control", "revision", "dest")
 NO_OPENING: Final = frozenset("VERBED VERBING VERBS DIR VERB STATE ADJER ADJEST".split())
 OPENING: Final = frozenset(("NOUN", "NOUNS", "PROPER"))
-# After these anything is a quote; "tell me", though, mostly asks for what the robot knows.
-LITERALLY: Final = frozenset("say saying tell telling ask asking".split())
+LITERALLY: Final = ("say", "saying")  # after these anything is a quote
+# What somebody is to be told; "tell me", though, mostly asks for what the robot knows.
+MESSAGES: Final = frozenset("tell telling ask asking".split())
 RECITING: Final = frozenset("recite reciting".split())
 WANTED: Final = frozenset(
     "everything anything all what whatever how who whom where when why whether".split()
@@ -52,7 +53,7 @@ def holds(tree: Tree, derive: Derive) -> bool:
     return all(
         _may_be_spoken(before, words, derive)
         for before, words in tree.speeches()
-        if before[0] not in ("say", "saying")
+        if before[0] not in LITERALLY
     )
 
 
@@ -65,7 +66,7 @@ def _may_be_spoken(before: Sequence[str], words: Sequence[Leaf], derive: Derive)
             return False
         if any(_derives(tokens, symbol, derive) for symbol in UNASKED):
             return False
-    elif before[0] in LITERALLY:
+    elif before[0] in MESSAGES:
         return not _is_no_opening(tokens[0]) or _makes_sense(tokens, derive)
     too_short = len(words) == 1 and _is_too_short(before, words[0])
     return not too_short and _makes_sense(tokens, derive)
@@ -81,9 +82,8 @@ def _is_no_opening(token: Token) -> bool:
 def _is_handled(tokens: Sequence[Token], derive: Derive) -> bool:
     """A thing that nobody tells: "my sneakers", and not "a joke"."""
     told = abstract_words() | classes()["texts"]
-    things = [
-        t.readings.get("NOUN") or t.readings.get("NOUNS", "") for t in (tokens[0], tokens[-1])
-    ]
+    ends = [token.readings for token in (tokens[0], tokens[-1])]
+    things = [one.get("NOUN") or one.get("NOUNS", "") for one in ends]
     return any(thing and thing not in told for thing in things) and _derives(tokens, "np", derive)
 
 

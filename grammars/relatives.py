@@ -16,8 +16,8 @@ from grammars.usage import PUTTING, TIMES_OF_DAY, particles
 if TYPE_CHECKING:
     from grammars.things import Things
 
-# Where something is brought, and not where it is.
 POSTURES: Final = ("sit", "stand", "lie", "rest", "hang", "lean", "sleep", "wait", "live")
+# Where something is brought, and not where it is.
 LEADING: Final = ("into", "onto", "through", "past", "out of", "away from")
 
 

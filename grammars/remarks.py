@@ -29,13 +29,10 @@ def check_absence(said: AList) -> None:
     """What there is none of, there is none of somewhere: "there is no milk in the fridge", but no free lunch at all."""
     exists = said.find("exists")
     thing = exists.find("np") if exists is not None else None
-    if (
-        thing is not None and is_abstract(thing) and not _is_in_place(thing)
-    ):  # "there's a difference"
-        raise NoMeaningError(str(said))
-    if exists is None or thing is None or not (exists.has("neg") or thing.slot("det") == "no"):
+    if exists is None or thing is None or _is_in_place(thing):
         return
-    if not _is_in_place(thing):
+    none = exists.has("neg") or thing.slot("det") == "no"
+    if none or is_abstract(thing):  # "there's a difference"
         raise NoMeaningError(str(said))
 
 

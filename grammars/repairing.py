@@ -56,14 +56,12 @@ def _put_right(
     """The correction in the place of the same word, else of a word of its sort, else of as many words; what followed a
     single word that was corrected stays."""
     new = after[0]
-    if "VERB" in sorts(new.text) and not any("VERB" in sorts(piece.text) for piece in before):
-        return []  # there was no deed that could be put right
     is_deed = "VERB" in sorts(new.text)
-    sort = (
-        ["VERB"]
-        if is_deed and len(after) > 1
-        else [name for name in REPAIRABLE if name in sorts(new.text)]
-    )
+    if is_deed and not any("VERB" in sorts(piece.text) for piece in before):
+        return []  # there was no deed that could be put right
+    sort = [name for name in REPAIRABLE if name in sorts(new.text)]
+    if is_deed and len(after) > 1:
+        sort = ["VERB"]
     same = [at for at, piece in enumerate(before) if piece.text == new.text]
     number = [at for at, piece in enumerate(before) if piece.kind == new.kind == "number"]
     told = [is_deed and piece.text in UNFINISHED for piece in before]  # "the lift" is none

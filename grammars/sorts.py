@@ -21,6 +21,7 @@ COMPLEMENTS: Final = ("of", "for", "about", "with", "at", "to")
 ROBOT: Final = "robot"
 HERE: Final = frozenset(("here", "there"))
 POSITIONS: Final = frozenset(("up", "down", "on", "off"))
+TURNED: Final = POSITIONS | {"left", "right"}
 NEARNESS: Final = ("close", "near", "next")
 LEARNED: Final = ("learn", "know", "say", "tell", "teach", "hear", "think", "forget")
 NOBODY: Final = frozenset(("nothing", "nobody", "no one"))
@@ -64,11 +65,16 @@ def abstract_words() -> frozenset[str]:
     return frozenset(word for line in lines("abstract") for word in line.split())
 
 
+def is_said_to_persons(np: AList) -> bool:
+    """ "Your mother", "your hat": of what the robot has not, or does not give."""
+    return np.slot("own") == "your" and kind(np) in persons_own()
+
+
 def is_of_persons(np: AList) -> bool:
     """ "Your breath", "your seats": what the robot has none of; its friends it may have, and a hat."""
-    said = kind(np)
     if np.name != "np" or np.slot("own") != "your" or is_people(np):
         return False
+    said = kind(np)
     one = said if BORN.knows(said) and not np.has("akos") else lemmas(said, "noun")[0]
     several = np.has("akos") and one in classes()["belongings"]
     return several or (
@@ -105,11 +111,9 @@ def is_bare(np: AList) -> bool:
 
 def is_between_one(loc: AList) -> bool:
     """ "Between Maureen": it takes two."""
-    things = loc.all("np")
-    alone = len(things) == 1 and not things[0].has("akos") and not things[0].has("num")
-    return (
-        loc.slot("prep") == "between" and alone and (things[0].has("name") or things[0].has("ako"))
-    )
+    first, *others = loc.all("np") or [loc]
+    single = not others and not first.has("num") and (first.has("name") or first.has("ako"))
+    return loc.slot("prep") == "between" and single
 
 
 def is_superlative(np: AList) -> bool:
@@ -128,9 +132,8 @@ def agrees(np: AList) -> bool:
     if np.slot("sub") and np.slot("sub") == kind(np):  # "a block block"
         return False
     quals = {qual.slot("hq") for qual in np.all("qual")}
-    if np.has("vague") and (
-        quals & (POSITIONS | {"left", "right"}) or any(qual.has("most") for qual in np.all("qual"))
-    ):
+    most = any(qual.has("most") for qual in np.all("qual"))
+    if np.has("vague") and (most or quals & TURNED):
         return False  # "something up", "something stickiest"
     switched = kind(np) in classes()["switches"]
     if is_bare(np) and (quals & HERE or (quals & POSITIONS and not switched)):
@@ -205,9 +208,8 @@ def _is_somewhere(quality: str, loc: AList) -> bool:
 
 def is_graded(quality: str, degrees: Sequence[str]) -> bool:
     """There may be so much of it: nothing is "very up", or "very too far"."""
-    return not ("very" in degrees and quality in POSITIONS | HERE | {"left", "right"}) and list(
-        degrees
-    ) != ["very", "too"]
+    placed = quality in TURNED | HERE
+    return not ("very" in degrees and placed) and list(degrees) != ["very", "too"]
 
 
 def is_recited(np: AList) -> bool:

@@ -245,13 +245,15 @@ class Things:
             self.add("deg", "most", deg=hq)
         return hq
 
+    def whom(self, own: str) -> str:
+        """Node of whom "my", "your", "her" tells of."""
+        return self.oneself(SELF_OWN[own]) if own in SELF_OWN else self.pronoun(OWNING[own])
+
     def possessed(self, name: str, np: AList) -> str:
         """Say whose a thing is, if the phrase says so; the node of that, or ""."""
         own, owner = np.slot("own"), np.find("owner")
-        if own in SELF_OWN:
-            return self.add("own", own=name, of=self.oneself(SELF_OWN[own]))
         if own:
-            return self.add("own", own=name, of=self.pronoun(OWNING[own]))
+            return self.add("own", own=name, of=self.whom(own))
         if owner is not None:
             return self.add("own", own=name, of=self.thing(owner, person=True))
         return ""

@@ -23,9 +23,9 @@ from grammars.sorts import (
     is_nothing,
     is_people,
     is_recited,
+    is_said_to_persons,
     kind,
     may_receive,
-    persons_own,
     usages,
 )
 from grammars.vocabulary import BORN, lines
@@ -94,9 +94,7 @@ def is_used(action: AList, verb: str, pattern: bool) -> bool:
     dest, receiver = action.find("dest"), action.find("iobj")
     if not pattern and action.slot("act") in BACKING and _is_going_back(action):
         return False
-    if dest is not None and any(
-        np.slot("own") == "your" and kind(np) in persons_own() for np in dest.all("np")
-    ):
+    if dest is not None and any(map(is_said_to_persons, dest.all("np"))):
         return False  # "hang on to your hat"
     if dest is not None and dest.has("whither") and "GIVE" in BORN.readings(verb):
         return False  # "show Mary where the hat is" shows its place
@@ -222,7 +220,8 @@ def _takes(action: AList, obj: AList, uses: frozenset[str], pattern: bool) -> bo
     quals = _qualities(obj)
     if (bare and quals & BEHIND) or (quals & WORKED and kind(obj) not in classes()["switches"]):
         return False  # "never pick up pins" is about no "up pins", nor "pick the up block"
-    if obj.slot("own") == "your" and (kind(obj) in persons_own() or obj.slot("akos") in SINGLE):
+    hands = obj.slot("own") == "your" and obj.slot("akos") in SINGLE
+    if hands or is_said_to_persons(obj):
         return "taking" in uses and kind(obj) in classes()["belongings"]
     if obj.slot("own") == "your" and not (pattern or BORN.knows(kind(obj))):
         return False  # its own parts it knows: "lift your spirits"

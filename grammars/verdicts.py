@@ -6,6 +6,7 @@ from typing import Final
 
 from grammars.alist import AList
 from grammars.errors import NoMeaningError
+from grammars.mentions import US
 from grammars.sorts import classes, is_people, kind, persons_own
 from grammars.vocabulary import BORN
 
@@ -13,8 +14,6 @@ from grammars.vocabulary import BORN
 BLAMING: Final = (
     "bad done_ill worse wrong averse upset let_down excess fault rough ill_deed".split()
 )
-# The speaker and who is with him.
-US: Final = ("me", "us")
 OURS: Final = ("my", "our")
 AGAINST: Final = ("into", "against")  # where nobody drives who means well
 

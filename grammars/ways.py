@@ -74,9 +74,8 @@ def _is_adrift(obj: AList | None, uses: frozenset[str], dirs: list[str]) -> bool
     """ "Examine on", "grab it around": what is done where one is goes on in no such way."""
     if "still" not in uses or not uses.isdisjoint(("alone", "onward")):
         return False
-    return not (NO_COURSE if obj is not None else NO_COURSE | PARTICLES - {"up", "out"}).isdisjoint(
-        dirs
-    )
+    no_course = NO_COURSE if obj is not None else NO_COURSE | PARTICLES - {"up", "out"}
+    return not no_course.isdisjoint(dirs)
 
 
 def said_ways(action: AList) -> list[str]:

@@ -124,13 +124,12 @@ def _holding(build: Build, body: AList) -> Question:
 
 def _color(build: Build, body: AList) -> Question:
     """ "What color is the block": the wanted quality is itself of a kind, as in the paper's figure."""
-    if (
-        not is_attribute(body.slot("attribute")) or body.slot("attribute") == "day"
-    ):  # "what is Tom's sister"
+    attribute = body.slot("attribute")
+    if not is_attribute(attribute) or attribute == "day":  # "what is Tom's sister"
         raise NoMeaningError(str(body))
     thing = build.thing(body.find("np") or _owned(build, body))
     hq = build.add("hq", hq=thing)
-    build.add("ako", body.slot("attribute"), ako=hq)
+    build.add("ako", attribute, ako=hq)
     return Question("what", build.graphlet(hq), hq)
 
 

@@ -8,7 +8,7 @@ from grammars.alist import AList
 from grammars.build import Build, NoMeaningError
 from grammars.pacing import HOLDING
 from grammars.registry import sentence_form
-from grammars.sorts import is_abstract, is_bare, kind, persons_own
+from grammars.sorts import is_abstract, is_bare, is_said_to_persons
 from grammars.verdicts import is_praise
 from grammars.vocabulary import BORN
 from kernel.action.chain import Chain, Directive, Play, sequence
@@ -240,8 +240,7 @@ def _things(build: Build, alist: AList) -> tuple[Graphlet | None, Chain]:
     if old is not None:
         with build.drawing(pattern=True):
             replaced = build.graphlet(build.thing(old))
-    yours = new.slot("own") == "your" and kind(new) in persons_own()
-    if yours or (is_bare(new) and not new.has("one")) or is_abstract(new):
+    if is_said_to_persons(new) or (is_bare(new) and not new.has("one")) or is_abstract(new):
         raise NoMeaningError("sorry, wrong number")
     with build.drawing(pattern=False):
         build.thing(new)

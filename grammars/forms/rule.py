@@ -27,9 +27,8 @@ EXAMPLES = (
     "a cup is heavy if it is full",
 )
 
-
-# "A lot of people": so many, and no kind of thing.
 NEVER: Final = "never"
+# "A lot of people": so many, and no kind of thing.
 MUCH: Final = ("lot", "bunch", "couple", "ton", "load", "number", "bit", "majority")
 
 
@@ -97,10 +96,8 @@ def _stuff(stuff: AList, pred: AList) -> AList:
     """ "Soup is hot" is said of a stuff, "cup is hot" of nothing."""
     passing = any(qual.slot("hq") in classes()["placed"] for qual in pred.all("qual"))
     whose = any(part.name in ("own", "owner", "np") for part in pred.walk())
-    if (
-        passing or whose or stuff.value not in classes()["mass"]
-    ):  # "food is ready", "music is my life"
-        raise NoMeaningError(str(stuff))
+    if passing or whose or stuff.value not in classes()["mass"]:
+        raise NoMeaningError(str(stuff))  # "food is ready", "music is my life"
     return AList("generic", (AList("ako", value=stuff.value),))
 
 

@@ -32,9 +32,8 @@ def taught(contents: tuple[Operator | Rule, ...], voice: Voice) -> str:
         for content in contents
     ]
     first, *others = said
-    if others and all(
-        one.lead != first.lead for one in others
-    ):  # "you may touch this, but never that"
+    if others and first.lead not in {one.lead for one in others}:
+        # "you may touch this, but never that"
         return ", but ".join(map(str, said))
     differing = [
         name

@@ -199,10 +199,9 @@ def _asked(telling: Telling, asked: Question) -> tuple[str, Clause]:
         case "what" if main.name == wanted and linked(main, "hq"):
             telling.stated.add(main.name)
             attribute = " ".join(word(kind) for kind in telling.take(main.name, "ako"))
-            kinds = {word(term) for term in telling.about(linked(main, "hq"), "ako")}
-            if (kinds & classes()["occasions"]) or telling.term(linked(main, "hq")).lex & classes()[
-                "days"
-            ]:
+            day = linked(main, "hq")
+            kinds = {word(term) for term in telling.about(day, "ako")}
+            if kinds & classes()["occasions"] or telling.term(day).lex & classes()["days"]:
                 attribute = "day"
             if attribute and attribute not in _SEEN:
                 whose = thing(telling, linked(main, "hq"), "possessive")
