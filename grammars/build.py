@@ -1,4 +1,6 @@
-"""Actions and chains into nets, upon things. docs/net.md is the law here; clauses are in `clauses.py`."""
+"""Actions and chains into nets, upon things. docs/net.md is the law here. Clauses are in `clauses.py`, what is said in
+`speaking.py`, what is to be found out in `inquiries.py`.
+"""
 
 from __future__ import annotations
 
@@ -17,21 +19,16 @@ from grammars.chains import (
     turned,
     turns,
 )
-from grammars.clauses import flat, names, stated
 from grammars.errors import NoMeaningError
 from grammars.manners import SIZES, bounded, limited, manner, not_too, resulting, unit_of
 from grammars.mentions import (
-    Thing,
-    asked_if,
     but,
-    is_addressed,
-    is_person,
     is_time,
     place_word,
-    somebody,
 )
 from grammars.pacing import count, in_a_while, spaced, waited, whole
-from grammars.sorts import classes, is_attribute, kind, usages
+from grammars.sorts import classes
+from grammars.speaking import spoken
 from grammars.things import Things
 from grammars.usage import is_odd_manner, is_used, particles, put_nowhere
 from kernel.action.chain import Chain, Directive, Play
@@ -40,9 +37,6 @@ from kernel.net.graphlet import Graphlet
 
 __all__ = ["Build", "NoMeaningError"]
 
-WONDERS: Final = {"what_like": "hq", "what_kind": "ako", "whereabout": "loc"}
-UNQUOTED: Final = frozenset("it them that this at to from for along out".split())
-VOICES: Final = {"loud": "loudly", "quiet": "quietly"}
 TAKEN: Final = frozenset("bow look nap rest spin walk stroll ride peek swing stretch".split())
 STEP: Final = "step"
 LETTING_GO: Final = ("release", "drop")  # everything: all that it holds
@@ -56,7 +50,7 @@ class Build(Things):
         """Node of an action; what it is done to stays to be looked up, or is on the board of a pattern."""
         speech = action.find("speech", "speaking")
         if speech is not None and not is_odd_manner(action, None):
-            act = self._speech(speech)
+            act = spoken(self, speech)
             self.modifiers(act, action)
             return act
         if action.has("side_turn"):
@@ -181,34 +175,6 @@ class Build(Things):
         else:
             self.add("loc", place_word(loc), loc=act, wrt=self.every(every))
 
-    def _speech(self, speech: AList) -> str:
-        verb = next(part.name for part in speech if part.name in ("say", "tell", "ask"))
-        links: dict[str, str] = {}
-        if (asked := asked_if(speech)) is not None:
-            links["obj"] = self.add("txt", literal=f"if {asked.slot('quote')}")
-        elif (quote := speech.find("quote")) is not None:
-            if not is_addressed(verb, speech):
-                raise NoMeaningError(str(speech))
-            links["obj"] = self.add("txt", literal=quote.value or "")
-        elif not is_person(asked := speech.first("listener")) and asked.slot("pron") != "me":
-            raise NoMeaningError(str(speech))
-        hearer = speech.find("hearer", "listener")
-        if hearer is not None and hearer.parts:
-            every = hearer.find("every")
-            np = hearer.find("np") or hearer
-            links["dest"] = self.thing(np, person=True) if every is None else self.every(every)
-        if "dest" not in links and verb == "tell":  # "tell everyone dinner is ready"
-            verb = "say"
-        act = self.add("act", verb, **links)
-        voices = speech.first("say", "tell", "ask").parts  # "shout", "whisper"
-        if voices and speech.slot("quote").lower().partition(" ")[0] in UNQUOTED:
-            raise NoMeaningError(str(speech))  # "shout it out" says no "it out"
-        for voice in voices:
-            if voice.name in VOICES:
-                self.add("mod", VOICES[voice.name], mod=act)
-        self.modifiers(act, speech)
-        return act
-
     def whereabouts(self, where: AList) -> str:
         """Node of where a thing is."""
         np = where.find("np")
@@ -219,54 +185,6 @@ class Build(Things):
     def act_or_any(self, action: AList | None) -> str:
         """Node of an action; of any act at all where none is named."""
         return self.add("act") if action is None else self.action(action)
-
-    def inquired(self, inquiry: AList) -> Directive:
-        """To find something out as a step: what is definite is looked up first, "something" is any thing."""
-        before, self.telling = self.telling, True
-        with self.drawing(pattern=False):
-            directive = self.inquiry(inquiry)
-        self.telling = before
-        return directive
-
-    def inquiry(self, inquiry: AList) -> Directive:
-        """CHK for whether something is so; FIND for what something is like, of what kind it is or where."""
-        if (whether := inquiry.find("whether")) is not None:
-            conds = whether.first("conds")
-            if any(names(said) and kind(said.first("np")) for said in flat(conds)):
-                raise NoMeaningError(str(whether))  # "whether the gripper is Mary"
-            return Directive("CHK", stated(self, conds))
-        if (asked := inquiry.find("who_where")) is not None:
-            return Directive("FIND", self.graphlet(self.thing(somebody(asked.first("loc")))))
-        if inquiry.has("nearby"):
-            return Directive("DO", self.graphlet(self.add("act", "look around")))
-        if (done := inquiry.find("what_done")) is not None:
-            uses = usages(done.slot("does"))
-            if "alone" in uses or ("having" not in uses and is_attribute(done.slot("attribute"))):
-                raise NoMeaningError(str(done))  # "what color the block cha-chas"
-            wanted = self.add("obj")
-            self.add("ako", done.slot("attribute"), ako=wanted)
-            self.add("act", done.slot("does"), agt=self.aside(done.first("np")), obj=wanted)
-            self.things.append(Thing(wanted, done.slot("attribute")))
-            return Directive("FIND", self.graphlet(wanted))
-        if (how := inquiry.find("how_so")) is not None:  # "how heavy it is"
-            hq = self.quality(self._asked_of(how), how)
-            return Directive("FIND", self.graphlet(self.add("deg", deg=hq)))
-        for name, sort in WONDERS.items():
-            if (asked := inquiry.find(name)) is not None:
-                thing = self._asked_of(asked)
-                wanted = self.add(sort, **{sort: thing})
-                if attribute := asked.slot("attribute"):
-                    if not is_attribute(attribute):
-                        raise NoMeaningError(str(asked))  # "what burrito the block is"
-                    self.add("ako", attribute, ako=wanted)
-                return Directive("FIND", self.graphlet(wanted))
-        raise NoMeaningError(str(inquiry))
-
-    def _asked_of(self, asked: AList) -> str:
-        """Whose nature or whereabouts are asked: "what color it is", "its color", "the color of it"."""
-        if own := asked.slot("own"):
-            return self.whom(own)
-        return self.thing(asked.first("np", "owner"))
 
     def chain(self, chain: AList) -> Chain:
         """Plays one after another; look-ups come before the play that needs them."""

@@ -7,8 +7,10 @@ from typing import TYPE_CHECKING, Final, TypeVar
 
 from grammars.alist import AList
 from grammars.alternatives import alternatives, one_each
-from grammars.clauses import clause, condition, names
+from grammars.clauses import clause, names
+from grammars.conditions import condition
 from grammars.errors import NoMeaningError
+from grammars.inquiries import inquired
 from grammars.mentions import somebody
 from grammars.pacing import HOLDING, TIMES, count, paced, whole
 from grammars.sorts import HERE, is_nothing, usages
@@ -68,7 +70,7 @@ def plays(build: Build, play: AList) -> list[Play]:
                 with build.drawing(pattern=False):
                     required.append(Directive("DO", build.graphlet(build.action(found))))
             case "inquiry":
-                required.append(build.inquired(part))
+                required.append(inquired(build, part))
             case "over_all" if len(part.first("chain").parts) < 2:
                 raise NoMeaningError(str(part))
             case "loop" | "over_all":

@@ -1,4 +1,4 @@
-"""Clauses into nets: conditions of reactions and rules, and what facts say."""
+"""Clauses into nets: what is said of something, in conditions and in facts."""
 
 from __future__ import annotations
 
@@ -6,58 +6,27 @@ from typing import TYPE_CHECKING, Final
 
 from grammars.alist import AList
 from grammars.comparing import seen_from_robot
+from grammars.doings import doing, had
 from grammars.errors import NoMeaningError
 from grammars.manners import SO_MANY, how_many
-from grammars.mentions import VERB_SLOTS
-from grammars.mutual import of_each
 from grammars.relatives import predicate
 from grammars.sorts import classes, is_abstract, is_kind_of_it, kind, may_be_called, usages
-from grammars.timing import it_is, o_clock, tells_time, timed
-from grammars.usage import TIMES_OF_DAY, put_nowhere
-from grammars.vocabulary import BORN
+from grammars.timing import tells_time
+from grammars.usage import TIMES_OF_DAY
 from grammars.ways import WAYS
 from kernel.memory.contraries import PAIRS
-from kernel.net.graphlet import Graphlet
 
 if TYPE_CHECKING:
     from grammars.build import Build
 
-TOOLS: Final = ("drill", "ropes", "score")
 SENSED: Final = ("see", "hear", "feel", "smell")
-SIGHTS: Final = {
-    f"{verb} sight of": verb[:1] == "l" for verb in ("catch", "catches", "lose", "loses")
-}
-WISHES: Final = ("like", "want", "need", "prefer")
 DENIALS: Final = ("neg", "not_has", "neg_own")
-PAST: Final = "past"
-
-
-def flat(conds: AList) -> list[AList]:
-    """The clauses of a list of conditions."""
-    inner = [clause for part in conds.all("conds") for clause in flat(part)]
-    return [*(each for part in conds.all("clause") for each in of_each(part)), *inner]
 
 
 def names(clause: AList) -> bool:
     """It tells who somebody is."""
     pred = clause.find("pred")
     return pred is not None and pred.has("isname")
-
-
-def condition(build: Build, conds: AList) -> Graphlet:
-    """All conditions in one graphlet; main is the predicate of the first."""
-    with build.drawing(pattern=True):
-        return stated(build, conds)
-
-
-def stated(build: Build, conds: AList) -> Graphlet:
-    """The same on the present board: what is definite is looked up where that is drawn no pattern."""
-    if (time := conds.slot("daypart")) or (time := o_clock(conds.find("hour"))):
-        return build.graphlet(it_is(build, time))
-    first, *more = flat(conds)
-    mains = [clause(build, first, topical=True), *(clause(build, part) for part in more)]
-    build.claims.update(mains)
-    return build.graphlet(mains[0])
 
 
 def clause(build: Build, part: AList, subject: str = "", topical: bool = False) -> str:
@@ -127,18 +96,18 @@ def clause(build: Build, part: AList, subject: str = "", topical: bool = False) 
         txt = build.add("txt", literal=part.slot("quote"))
         return build.add("act", "say", agt=agent, obj=txt)
     if part.has("habit") or part.has("habit_s"):
-        return _doing(build, part.first("habit", "habit_s"), agent, objects, negated)
+        return doing(build, part.first("habit", "habit_s"), agent, objects, negated)
     if (part.has("does") and not part.has("counted")) or part.has("going"):
-        return _doing(build, part, agent, objects, negated)
+        return doing(build, part, agent, objects, negated)
     if (counted := part.find("counted")) is not None:
         many = build.thing(_counted(counted))
         build.add("cnt", literal=how_many(build, counted), cnt=many)
         does = build.add("act", part.slot("does", "have"), agt=agent, obj=many, negated=negated)
-        return _had(build, part, does)
+        return had(build, part, does)
     if objects and not (build.telling and is_abstract(objects[0])):
         owned = build.thing(objects[0])
         has = build.add("act", "have", agt=agent, obj=owned, negated=negated or build.negative)
-        return _had(build, part, has)
+        return had(build, part, has)
     raise NoMeaningError(str(part))
 
 
@@ -207,90 +176,6 @@ def _all_so(build: Build, all_so: AList) -> str:
     vague = "something" if all_so.has("everything") else "somebody"
     who = build.thing(AList("np", (AList("vague", value=vague),)))
     return build.add("hq", contrary[0], hq=who, negated=True)
-
-
-def _doing(build: Build, part: AList, agent: str, objects: list[AList], negated: bool) -> str:
-    """An act of somebody's: "Mary is watching", "you see Mom coming", "he speaks Portuguese"."""
-    going = part.find("going")
-    body = part
-    if part.name.startswith("habit"):
-        objects = part.all("np")
-    elif going is not None and not part.has("does"):
-        body, objects = going, going.all("np")
-    verb = next((body.slot(s) for s in VERB_SLOTS if body.has(s)), body.value or "")
-    if verb == "have" and not objects:
-        raise NoMeaningError(str(part))
-    if put_nowhere(verb, body, objects[0] if objects else None):
-        raise NoMeaningError(str(part))
-    if verb in SIGHTS:  # "you lose sight of me"
-        verb, negated = "see", negated or SIGHTS[verb]
-    links: dict[str, str] = {"agt": agent}
-    if verb in WISHES and not objects and not body.has("dest"):  # "whenever you like"
-        raise NoMeaningError(str(part))
-    if not objects and {"needing", "venting"} <= usages(verb):  # "until nothing thanks"
-        raise NoMeaningError(str(part))
-    if objects and ("alone" in usages(verb) or (verb == "know" and not _is_knowable(objects[0]))):
-        raise NoMeaningError(str(part))
-    if objects and build.telling and "telling" not in usages(verb) and is_abstract(objects[0]):
-        raise NoMeaningError(str(part))
-    if objects:
-        links["dest" if verb in ("ask", "tell") else "obj"] = build.thing(objects[0])
-    elif body.has("name"):
-        links["obj"] = build.thing(body, person=False)
-    if (iobj := body.find("iobj")) is not None:
-        if "GIVE" not in BORN.readings(verb):
-            raise NoMeaningError(str(part))
-        links["dest"] = build.thing(iobj.first("np"), person=True)
-    if (dest := body.find("dest")) is not None:
-        telling = verb in ("ask", "tell") or "GIVE" in BORN.readings(verb)
-        if dest.has("every") or (telling and dest.has("whither")):
-            raise NoMeaningError(str(dest))
-        links["dest"] = build.aside(dest.first("np"))
-    act = build.add("act", verb, negated=negated or build.negative, **links)
-    rest, times = timed(body) if build.pattern and not build.trigger else (body, [])
-    build.modifiers(act, rest)
-    for time in times:
-        it_is(build, time)
-    if body is part and part.has("num"):  # "the clock strikes twelve"
-        build.add("amt", literal=part.slot("num"), amt=act)
-    if going is not None and body is part and objects:
-        build.add(
-            "act",
-            going.slot("gerund") or going.value or "",
-            agt=links.get("obj", links.get("dest", "")),
-        )
-    return act
-
-
-def _had(build: Build, part: AList, act: str) -> str:
-    """The node of the act, of which it is said, where a fact tells so, that it is over: "I had a dog"."""
-    if part.has("had") and build.telling:
-        in_the_past(build, act)
-    return act
-
-
-def in_the_past(build: Build, act: str) -> None:
-    """Say of a deed that it was done, and is no habit."""
-    build.add("mod", PAST, mod=act)
-
-
-def _is_knowable(np: AList) -> bool:
-    """People, animals and the like may be known, and what is no thing at all: nobody "knows the drill"."""
-    tool = kind(np) in TOOLS and np.slot("det") == "the"
-    return not (tool or np.has("pron"))
-
-
-def exception(build: Build, alist: AList) -> tuple[Graphlet, ...]:
-    """What stands after "unless", each way out by itself."""
-    found = alist.find("exception")
-    if found is None:
-        return ()
-    return (condition(build, found.first("conds")), *exception(build, found))
-
-
-def enablement(build: Build, alist: AList) -> tuple[Graphlet, ...]:
-    """What stands after "if" or "while" where an action is the trigger."""
-    return tuple(condition(build, conds) for conds in alist.all("conds"))
 
 
 def told(build: Build, speaker: AList, act: str) -> str:

@@ -5,7 +5,8 @@ from __future__ import annotations
 from typing import Final
 
 from grammars.alist import AList
-from grammars.clauses import DENIALS, SENSED, flat
+from grammars.clauses import DENIALS, SENSED
+from grammars.conditions import flat
 from grammars.errors import NoMeaningError
 from grammars.mentions import VERB_SLOTS
 from grammars.pacing import HOLDING

@@ -6,7 +6,7 @@ from typing import Final
 
 from grammars.alist import AList
 from grammars.build import Build
-from grammars.clauses import in_the_past
+from grammars.doings import in_the_past
 from grammars.errors import NoMeaningError
 from grammars.mentions import US, is_definite
 from grammars.remarks import MENTAL

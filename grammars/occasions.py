@@ -9,7 +9,7 @@ from typing import Final
 from grammars.alist import AList
 from grammars.asked import YOU, drawn
 from grammars.build import Build, NoMeaningError
-from grammars.clauses import stated
+from grammars.conditions import stated
 from grammars.relatives import predicate
 from kernel.memory.meaning import Ask, Question
 from kernel.net.graphlet import Graphlet

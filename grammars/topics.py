@@ -6,7 +6,8 @@ from typing import Final
 
 from grammars.alist import AList
 from grammars.build import Build, NoMeaningError
-from grammars.clauses import clause, condition
+from grammars.clauses import clause
+from grammars.conditions import condition
 from grammars.relatives import predicate
 from grammars.remarks import MENTAL
 from kernel.memory.meaning import Ask, Question

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from grammars.alist import AList
-from grammars.clauses import enablement, exception
+from grammars.conditions import enablement, exception
 from grammars.errors import NoMeaningError
 from grammars.hedges import preference
 from grammars.timing import by_time

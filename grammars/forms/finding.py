@@ -5,6 +5,7 @@ from __future__ import annotations
 from grammars.alist import AList
 from grammars.build import Build, NoMeaningError
 from grammars.hedges import preference
+from grammars.inquiries import sought
 from grammars.registry import sentence_form
 from kernel.action.chain import Chain, Directive
 from kernel.memory.lesson import Operator
@@ -31,7 +32,7 @@ def finding(alist: AList) -> Teach:
         if (np := alist.find("np")) is not None:
             trigger = Directive("FIND", build.graphlet(build.thing(np)))
         else:
-            trigger = build.inquiry(alist)
+            trigger = sought(build, alist)
     chains = [build.chain(part) for part in alist.all("chain")]
     if not chains or trigger.graphlet is None or not trigger.graphlet.terms:
         raise NoMeaningError(str(alist))

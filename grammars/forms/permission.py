@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from grammars.alist import AList
 from grammars.build import Build, NoMeaningError
-from grammars.clauses import enablement, exception
+from grammars.conditions import enablement, exception
 from grammars.registry import sentence_form
 from grammars.timing import by_time
 from grammars.triggers import settled, taken_up

@@ -5,10 +5,11 @@ from __future__ import annotations
 from typing import Final
 
 from grammars.alist import AList
-from grammars.build import UNQUOTED, Build, NoMeaningError
-from grammars.clauses import condition
+from grammars.build import Build, NoMeaningError
+from grammars.conditions import condition
 from grammars.hedges import preference
 from grammars.registry import sentence_form
+from grammars.speaking import UNQUOTED
 from kernel.action.chain import Chain, Directive
 from kernel.memory.lesson import Operator
 from kernel.memory.meaning import Teach

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from grammars.alist import AList
 from grammars.build import Build, NoMeaningError
-from grammars.clauses import enablement, exception
+from grammars.conditions import enablement, exception
 from grammars.registry import sentence_form
 from grammars.sorts import kind, usages
 from grammars.timing import by_time

@@ -6,7 +6,7 @@ from typing import Final
 
 from grammars.alist import AList
 from grammars.build import Build, NoMeaningError
-from grammars.clauses import condition, exception
+from grammars.conditions import condition, exception
 from grammars.hedges import preference
 from grammars.pacing import HOLDING
 from grammars.registry import sentence_form

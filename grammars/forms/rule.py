@@ -6,7 +6,8 @@ from typing import Final
 
 from grammars.alist import AList
 from grammars.build import Build, NoMeaningError
-from grammars.clauses import clause, condition, exception, stated
+from grammars.clauses import clause
+from grammars.conditions import condition, exception, stated
 from grammars.hedges import belief
 from grammars.registry import sentence_form
 from grammars.sorts import classes, kind

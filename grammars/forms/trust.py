@@ -10,7 +10,8 @@ from typing import Final
 
 from grammars.alist import AList
 from grammars.build import Build, NoMeaningError
-from grammars.clauses import exception, told
+from grammars.clauses import told
+from grammars.conditions import exception
 from grammars.mentions import PERSONAL, is_person, may_be_person
 from grammars.registry import sentence_form
 from kernel.action.chain import Chain, Directive, Play

@@ -1,0 +1,94 @@
+"""Acts of somebody's into nets: "Mary is watching", "you see Mom coming", "he speaks Portuguese"."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Final
+
+from grammars.alist import AList
+from grammars.errors import NoMeaningError
+from grammars.mentions import VERB_SLOTS
+from grammars.sorts import is_abstract, kind, usages
+from grammars.timing import it_is, timed
+from grammars.usage import put_nowhere
+from grammars.vocabulary import BORN
+
+if TYPE_CHECKING:
+    from grammars.build import Build
+
+TOOLS: Final = ("drill", "ropes", "score")
+SIGHTS: Final = {
+    f"{verb} sight of": verb[:1] == "l" for verb in ("catch", "catches", "lose", "loses")
+}
+WISHES: Final = ("like", "want", "need", "prefer")
+PAST: Final = "past"
+
+
+def doing(build: Build, part: AList, agent: str, objects: list[AList], negated: bool) -> str:
+    """Draw what the agent does; the node of the act."""
+    going = part.find("going")
+    body = part
+    if part.name.startswith("habit"):
+        objects = part.all("np")
+    elif going is not None and not part.has("does"):
+        body, objects = going, going.all("np")
+    verb = next((body.slot(s) for s in VERB_SLOTS if body.has(s)), body.value or "")
+    if verb == "have" and not objects:
+        raise NoMeaningError(str(part))
+    if put_nowhere(verb, body, objects[0] if objects else None):
+        raise NoMeaningError(str(part))
+    if verb in SIGHTS:  # "you lose sight of me"
+        verb, negated = "see", negated or SIGHTS[verb]
+    links: dict[str, str] = {"agt": agent}
+    if verb in WISHES and not objects and not body.has("dest"):  # "whenever you like"
+        raise NoMeaningError(str(part))
+    if not objects and {"needing", "venting"} <= usages(verb):  # "until nothing thanks"
+        raise NoMeaningError(str(part))
+    if objects and ("alone" in usages(verb) or (verb == "know" and not _is_knowable(objects[0]))):
+        raise NoMeaningError(str(part))
+    if objects and build.telling and "telling" not in usages(verb) and is_abstract(objects[0]):
+        raise NoMeaningError(str(part))
+    if objects:
+        links["dest" if verb in ("ask", "tell") else "obj"] = build.thing(objects[0])
+    elif body.has("name"):
+        links["obj"] = build.thing(body, person=False)
+    if (iobj := body.find("iobj")) is not None:
+        if "GIVE" not in BORN.readings(verb):
+            raise NoMeaningError(str(part))
+        links["dest"] = build.thing(iobj.first("np"), person=True)
+    if (dest := body.find("dest")) is not None:
+        telling = verb in ("ask", "tell") or "GIVE" in BORN.readings(verb)
+        if dest.has("every") or (telling and dest.has("whither")):
+            raise NoMeaningError(str(dest))
+        links["dest"] = build.aside(dest.first("np"))
+    act = build.add("act", verb, negated=negated or build.negative, **links)
+    rest, times = timed(body) if build.pattern and not build.trigger else (body, [])
+    build.modifiers(act, rest)
+    for time in times:
+        it_is(build, time)
+    if body is part and part.has("num"):  # "the clock strikes twelve"
+        build.add("amt", literal=part.slot("num"), amt=act)
+    if going is not None and body is part and objects:
+        build.add(
+            "act",
+            going.slot("gerund") or going.value or "",
+            agt=links.get("obj", links.get("dest", "")),
+        )
+    return act
+
+
+def had(build: Build, part: AList, act: str) -> str:
+    """The node of the act, of which it is said, where a fact tells so, that it is over: "I had a dog"."""
+    if part.has("had") and build.telling:
+        in_the_past(build, act)
+    return act
+
+
+def in_the_past(build: Build, act: str) -> None:
+    """Say of a deed that it was done, and is no habit."""
+    build.add("mod", PAST, mod=act)
+
+
+def _is_knowable(np: AList) -> bool:
+    """People, animals and the like may be known, and what is no thing at all: nobody "knows the drill"."""
+    tool = kind(np) in TOOLS and np.slot("det") == "the"
+    return not (tool or np.has("pron"))
