@@ -13,13 +13,13 @@ from grammars.alist import AList
 from grammars.alternatives import one_each
 from grammars.build import Build, NoMeaningError
 from grammars.called import called
-from grammars.clauses import clause
-from grammars.comparing import regarding, seen_from_robot
-from grammars.gaps import fill
+from grammars.comparing import seen_from_robot
 from grammars.mutual import each_other
+from grammars.questions.gaps import fill
+from grammars.questions.states import state
+from grammars.questions.topics import DEEDS
 from grammars.relatives import predicate
 from grammars.render.telling import SAYING
-from grammars.topics import DEEDS, does_so
 from grammars.vocabulary import BORN
 
 YOU: Final = AList("np", (AList("pron", value="you"),))
@@ -33,6 +33,7 @@ SEVERAL: Final = {
     "several_did": "did_it",
     "several_does": "action",
 }
+ORDERS: Final = ("ordered", "orders")  # what somebody told the robot, and may tell it
 DESCRIBING: Final = ("ako", "akos", "sub", "qual", "one")
 # What of a deed is asked, by the words that help its verb; "request": of the robot it would be a command.
 BOUND: Final = {
@@ -116,7 +117,7 @@ def drawn(build: Build, asks: AList, agent: str = "") -> Said:
         may = asks.has("modal_q") or asks.has("bound")
         return Said(_deny(build, main, denied), inner, topic="orders" if may else "ordered")
     _somebody(build, asks, asks.slot("bound"))
-    return Said(_deny(build, _state(build, asks, who), denied))
+    return Said(_deny(build, state(build, asks, who), denied))
 
 
 def _both(build: Build, asks: AList, subjects: list[AList]) -> Said:
@@ -216,44 +217,6 @@ def _somebody(build: Build, asks: AList, bound: str) -> None:
         raise NoMeaningError(str(asks))
 
 
-def _state(build: Build, asks: AList, who: str) -> str:
-    """What somebody or something is, has or does all the time."""
-    if (pred := asks.find("pred")) is not None:
-        return predicate(build, who, pred, negated=False)
-    if (topmost := asks.find("topmost")) is not None:
-        hq = build.quality(who, topmost)
-        if (mark := topmost.find("np")) is not None:
-            build.add("loc", "to", loc=hq, wrt=build.aside(mark))
-        return hq
-    if (complement := asks.find("complement")) is not None:  # "afraid of cats", "tired of turning"
-        return regarding(build, who, complement)
-    if (qual := asks.find("qual")) is not None:
-        return build.quality(who, qual)
-    if (does := asks.find("does_q")) is not None:
-        if does.value == "have" or (len(does.parts) == 1 and does.slot("state") == "have"):
-            return build.add("act", "have", agt=who)
-        if does.slot("state") == "know" and does.has("dest"):  # "know where it is"
-            raise NoMeaningError(str(does))
-        return does_so(build, does, who)
-    if asks.has("habit") or asks.has("habit_s"):
-        return clause(build, AList("q", tuple(asks.all("habit", "habit_s"))), who)
-    if (owned := asks.find("owned")) is not None:
-        counted = owned.find("counted")
-        thing = build.thing(
-            owned.first("np") if counted is None else AList("np", counted.parts[1:])
-        )
-        if counted is not None:
-            build.add("cnt", literal=counted.slot("num"), cnt=thing)
-        return build.add("act", "have", agt=who, obj=thing)
-    if (been := asks.find("been_to")) is not None:
-        there = build.add("loc", loc=who)
-        if (np := been.find("np", "name")) is not None:
-            build.sketch.link(there, "wrt", build.aside(np if np.name == "np" else been))
-            build.sketch.change(there, lex=frozenset(("in",)))
-        return there
-    raise NoMeaningError(str(asks))
-
-
 def _existing(build: Build, exist: AList) -> str:
     """ "There is a cup on the table", "there are two boxes"."""
     if (clause_of := exist.find("related")) is not None:
@@ -279,3 +242,19 @@ def of_clause(build: Build, np: AList, thing: str) -> None:
     fill(build, so.inner or so.main, thing, "", np)
     if so.own:
         build.sketch.link(so.main, "agt", build.oneself("you"))
+
+
+def order_topic(so: Said) -> str:
+    """The topic, if it is what somebody told the robot or may tell it."""
+    return so.topic if so.topic in ORDERS else ""
+
+
+def topic_of(build: Build, so: Said) -> str:
+    """What of the robot's own doings is asked about; where it is nothing of that sort, its act gets its agent."""
+    if topic := order_topic(so):
+        return topic
+    if so.own:
+        topic = "did" if so.past else "doing" if so.going else so.topic.removeprefix("request")
+    if so.own and not topic:
+        by_robot(build, so.main)
+    return topic

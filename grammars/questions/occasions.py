@@ -7,9 +7,9 @@ from __future__ import annotations
 from typing import Final
 
 from grammars.alist import AList
-from grammars.asked import YOU, drawn
 from grammars.build import Build, NoMeaningError
 from grammars.conditions import stated
+from grammars.questions.clause import YOU, drawn
 from grammars.relatives import predicate
 from kernel.memory.meaning import Ask, Question
 from kernel.net.graphlet import Graphlet

@@ -119,13 +119,6 @@ def does_so(build: Build, does: AList, agent: str) -> str:
     return clause(build, AList("q", (habit,)), agent)
 
 
-def what_stops(build: Build, body: AList) -> Question:
-    """ "What stopped you from turning": why it did not."""
-    act = build.action(body.first("gerunding"))
-    build.sketch.change(act, negated=True)
-    return Question("what", build.graphlet(act), "", "why")
-
-
 def not_allowed(build: Build) -> Question:
     """ "What are you not allowed to do"."""
     with build.drawing(pattern=True):
