@@ -2,19 +2,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Iterable
 from dataclasses import dataclass, replace
-from typing import Final
 
 from grammars.earley import closed_words
 from grammars.mentions import WOMEN
-from grammars.morphology import article, comparative, gerund, past, plural, third_person
+from grammars.morphology import gerund, past, third_person
+from grammars.render.complements import COMPLEMENTS, as_quality, kind_denied, not_such
 from grammars.render.counting import there_are
 from grammars.render.deeds import be, deed
-from grammars.render.qualities import degree, quality
+from grammars.render.names import POINTING, PRONOUNS, proper
 from grammars.render.telling import SAYING, Telling, is_predicate, linked, word
-from grammars.render.things import PRONOUNS, alike, description, kind, owned, place, proper, thing
-from grammars.sorts import NOBODY, classes
+from grammars.render.things import thing
+from grammars.sorts import NOBODY
 from grammars.vocabulary import BORN
 from kernel.net.graphlet import Graphlet, Term
 
@@ -80,7 +80,7 @@ def clause(telling: Telling, term: Term, hedge: str, others: Iterable[Term] = ()
     role = next(role for role in SAYING if linked(term, role))
     name = linked(term, role)
     if telling.term(name).kind == "act":  # "it is dangerous to touch the lamp"
-        so = f"{'not ' if term.negated else ''}{adverb}{_as_quality(telling, term)} to {deed(telling, name)}"
+        so = f"{'not ' if term.negated else ''}{adverb}{as_quality(telling, term)} to {deed(telling, name)}"
         return Clause("it", "is", f"is {so}", so)
     if role == "ako" and telling.about(name, "cnt") and not telling.term(name).ref:
         return Clause("there", *there_are(telling, term, name))
@@ -99,14 +99,14 @@ def clause(telling: Telling, term: Term, hedge: str, others: Iterable[Term] = ()
     telling.hold_back((*waiting, *later))
     subject = _subject(telling, name, term.negated)
     telling.release(mine if denying else later)
-    such = _kind_denied(telling, term, name) if denying or telling.term(name).lex else []
-    rest = _not_such(telling, term, *such) if such else _COMPLEMENTS[role](telling, term)
+    such = kind_denied(telling, term, name) if denying or telling.term(name).lex else []
+    rest = not_such(telling, term, *such) if such else COMPLEMENTS[role](telling, term)
     told = [*mine, *such]
     telling.release(other for other in later if denying and other not in told)
     if role == "hq":  # "red and small"
         also = [other for other in telling.about(name, "hq") if _is_told(telling, term, other)]
         also = [] if term.negated else [other for other in also if not other.negated]
-        rest = " and ".join([rest, *(_COMPLEMENTS[role](telling, other) for other in also)])
+        rest = " and ".join([rest, *(COMPLEMENTS[role](telling, other) for other in also)])
         telling.hold_back(also)
     telling.release(waiting)
     denied = "not " if term.negated and subject not in NOBODY else ""
@@ -172,48 +172,6 @@ def _subject(telling: Telling, name: str, negated: bool) -> str:
     return thing(telling, name, "subject")
 
 
-def wonders(telling: Telling, name: str) -> bool:
-    """True where what is looked for is no thing, but what a thing is like and how much so, of what kind it is, where it
-    is, or what somebody does."""
-    return telling.term(name).kind in ("hq", "ako", "loc", "deg") or bool(_asked_by(telling, name))
-
-
-def _asked_by(telling: Telling, name: str) -> list[Term]:
-    """The kind of a thing and what somebody does with it, where no more is said of it."""
-    term = telling.term(name)
-    said = telling.about(name, "ako", "hq", "loc", "own")
-    acts = [
-        act
-        for act in telling.about(name, "obj")
-        if linked(act, "agt") and telling.is_of(name, act.name)
-    ]
-    whole = not term.lex and not term.ref and len(said) == len(acts) == 1 and linked(said[0], "ako")
-    robot = any(telling.term(linked(act, "agt")).lex == {"you"} for act in acts)
-    return [*said, *acts] if whole and not robot else []
-
-
-def wonder(telling: Telling, name: str) -> str:
-    """What is to be found out: "what color it is", "how heavy it is", "what he speaks", "where it is"."""
-    term = telling.term(name)
-    if asked_by := _asked_by(telling, name):
-        of_kind, act = asked_by
-        telling.hold_back(asked_by)
-        telling.mention(name, word(of_kind))
-        subject = thing(telling, linked(act, "agt"), "subject")
-        verb = third_person(word(act)) if be(subject) == "is" else word(act)
-        return f"what {kind(telling, of_kind)} {subject} {verb}"
-    telling.stated.add(name)
-    if term.kind == "deg":
-        quality = telling.term(linked(term, "deg"))
-        telling.stated.add(quality.name)
-        subject = thing(telling, linked(quality, "hq"), "subject")
-        return f"how {word(quality)} {subject} {be(subject)}"
-    attribute = [word(kind) for kind in telling.take(name, "ako")]
-    subject = thing(telling, linked(term, term.kind), "subject")
-    asked = "where" if term.kind == "loc" else " ".join(["what", *attribute])
-    return f"{asked} {subject} {be(subject)}"
-
-
 def naming(telling: Telling, term: Term, told: bool = False) -> Clause:
     """The thing is called so: the main node is no predicate but has a name; told: as news."""
     subject = thing(telling, term.name, "subject") if told else _unnamed(telling, term)
@@ -223,75 +181,17 @@ def naming(telling: Telling, term: Term, told: bool = False) -> Clause:
     if subject == "it":  # "it is Rover" would be somebody speaking
         subject = "its name"
     if subject == proper(word(term)):
-        subject = term.ref if term.ref in ("this", "that") else "something"
+        subject = term.ref if term.ref in POINTING else "something"
     return Clause(subject, be(subject), f"{be(subject)} {rest}", rest)
 
 
 def _unnamed(telling: Telling, term: Term) -> str:
     """The thing without its name: "the dog" of "is the dog Rex"."""
-    if term.ref not in ("", "this", "that") or telling.about(term.name, "ako"):
+    if term.ref not in ("", *POINTING) or telling.about(term.name, "ako"):
         telling.terms[term.name] = replace(term, lex=frozenset())
     subject = thing(telling, term.name, "subject")
     telling.terms[term.name] = term
     return subject
-
-
-def _kind_denied(telling: Telling, term: Term, name: str) -> list[Term]:
-    """What a thing is that is denied to be such a one, and whose, where only the quality is denied: no "big dog"."""
-    new = telling.new(term) if term.negated and linked(term, "hq") else []
-    kinds = [of for of in new if ("ako", name) in of.links and not of.negated]
-    return [*kinds, *(own for own in new if ("own", name) in own.links)] if len(kinds) == 1 else []
-
-
-def _not_such(telling: Telling, term: Term, of_kind: Term, *owns: Term) -> str:
-    """The quality denied together with the kind: "not a big dog"."""
-    telling.hold_back((of_kind, *owns))
-    whose = "".join(thing(telling, linked(own, "of"), "possessive") for own in owns)
-    noun = f"{quality(telling, term)} {kind(telling, of_kind)}"
-    return _such(telling, linked(term, "hq"), whose, noun)
-
-
-def _such(telling: Telling, name: str, whose: str, phrase: str, after: str = "") -> str:
-    """What a thing, or several, are: "a big dog", "my brother", "twins"."""
-    several = telling.several(name)
-    noun = plural(phrase) if several else phrase
-    own = whose or ("" if several else article(noun))
-    return " ".join(filter(None, (own, noun, after)))
-
-
-def _as_kind(telling: Telling, term: Term) -> str:
-    name = linked(term, "ako")
-    owners = [linked(own, "of") for own in telling.take(name, "own")]
-    whose = thing(telling, owners[0], "possessive") if owners else ""
-    more = telling.take(name, "ako")
-    most = _is_most(telling, name)
-    before, _, after = description(telling, name, "")
-    telling.release(more)
-    phrase = " ".join(filter(None, (before, kind(telling, term))))
-    return _such(telling, name, whose or ("the" if most else ""), phrase, after)
-
-
-def _is_most(telling: Telling, name: str) -> bool:
-    """It is the most so of its kind: "the tallest boy"."""
-    qualities = telling.about(name, "hq")
-    return any(word(deg) == "most" for hq in qualities for deg in telling.about(hq.name, "deg"))
-
-
-def _as_quality(telling: Telling, term: Term) -> str:
-    other = linked(term, "than")
-    if other:
-        return f"{degree(telling, term.name)}{comparative(word(term))} than {thing(telling, other)}"
-    if linked(term, "as"):
-        return alike(telling, term)
-    if word(term) in classes()["weekdays"]:
-        return proper(word(term))
-    regards = [place(telling, about) for about in telling.take(term.name, "loc")]
-    return " ".join([quality(telling, term), *regards])
-
-
-_COMPLEMENTS: Final[dict[str, Callable[[Telling, Term], str]]] = {
-    "ako": _as_kind, "hq": _as_quality, "loc": place, "own": owned,
-}  # fmt: skip
 
 
 def _telling_first(term: Term) -> tuple[bool, bool, bool]:

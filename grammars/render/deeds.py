@@ -7,9 +7,10 @@ from typing import Final, Literal
 
 from grammars.morphology import comparative, gerund, past, third_person
 from grammars.pacing import TIMES
+from grammars.render.names import literally
 from grammars.render.qualities import degree, measured
 from grammars.render.telling import Telling, linked, word
-from grammars.render.things import literally, place, thing
+from grammars.render.things import place, thing
 from grammars.vocabulary import BORN
 from kernel.memory.editing import OTHER_WAY
 from kernel.net.graphlet import Term

@@ -7,8 +7,9 @@ from typing import Final
 from grammars.morphology import past, plural
 from grammars.render.clauses import clause
 from grammars.render.deeds import be, deed
+from grammars.render.names import pronoun
 from grammars.render.telling import Telling, is_predicate, linked, word
-from grammars.render.things import description, pronoun, thing
+from grammars.render.things import description, thing
 from kernel.memory.meaning import Question
 from kernel.net.graphlet import Graphlet
 

@@ -6,11 +6,13 @@ from dataclasses import dataclass
 from typing import Final
 
 from grammars.hedges import PREFERENCE
-from grammars.render.clauses import conditions, wonder, wonders
+from grammars.render.clauses import conditions
 from grammars.render.deeds import deed
+from grammars.render.names import literally, pronoun
 from grammars.render.procedures import claimed, procedure, without
 from grammars.render.telling import Telling, Voice, linked, word
-from grammars.render.things import literally, pronoun, thing
+from grammars.render.things import thing
+from grammars.render.wondering import wonder, wonders
 from grammars.usage import particles
 from grammars.vocabulary import BORN
 from kernel.memory.lesson import LEARN, Operator

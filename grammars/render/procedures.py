@@ -5,11 +5,12 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from dataclasses import replace
 
-from grammars.render.clauses import conditions, wonder, wonders
+from grammars.render.clauses import conditions
 from grammars.render.deeds import VerbForm, deed
 from grammars.render.qualities import quality
 from grammars.render.telling import Telling, is_predicate, linked
 from grammars.render.things import thing
+from grammars.render.wondering import wonder, wonders
 from kernel.action.chain import Chain, Directive, Loop, Part, Play
 from kernel.net.graphlet import Graphlet, Term
 

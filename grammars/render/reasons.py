@@ -8,9 +8,9 @@ from grammars.morphology import past
 from grammars.render.deeds import VerbForm, deed
 from grammars.render.english import act_in_words, claim_in_words, definite, render
 from grammars.render.moments import moment
+from grammars.render.names import proper
 from grammars.render.questions import claim
 from grammars.render.telling import Telling
-from grammars.render.things import proper
 from kernel.memory.experience import Source, Trouble
 from kernel.memory.explanation import Asked
 from kernel.memory.inference import Inference

@@ -5,9 +5,10 @@ from __future__ import annotations
 from typing import Final
 
 from grammars.render.deeds import deed
+from grammars.render.names import pronoun, proper
 from grammars.render.procedures import procedure
 from grammars.render.telling import Telling, Voice, linked
-from grammars.render.things import pronoun, proper, thing
+from grammars.render.things import thing
 from kernel.memory.editing import ORDER, OTHER_WAY, alteration
 from kernel.memory.meaning import Control, Feedback, Identity, Revision, Social
 

@@ -2,32 +2,18 @@
 
 from __future__ import annotations
 
-from typing import Final, Literal
+from typing import Final
 
 from grammars.manners import MORE_THAN_ONE, so_many
 from grammars.morphology import article, comparative, gerund, past, plural, third_person
+from grammars.render.names import CASES, PRONOUNS, Case, again, pronoun, proper
 from grammars.render.qualities import degree, is_material, measured, quality
 from grammars.render.telling import GROUPS, Telling, linked, word
 from grammars.sorts import classes
 from grammars.usage import BEHIND
 from grammars.vocabulary import BORN
-from kernel.memory.recall import PERSONS
 from kernel.net.graphlet import Term
 
-Case = Literal["subject", "object", "possessive"]
-
-_CASES: Final[tuple[Case, ...]] = ("subject", "object", "possessive")
-PRONOUNS: Final = {
-    "you": ("you", "you", "your"),
-    "me": ("I", "me", "my"),
-    "it": ("it", "it", "its"),
-    "he": ("he", "him", "his"),
-    "she": ("she", "her", "her"),
-    "they": ("they", "them", "their"),
-    "we": ("we", "us", "our"),
-    "that": ("that", "that", "its"),
-    "this": ("this", "this", "its"),
-}
 _DETERMINERS: Final = ("the", "this", "that", "these", "those", "every", "any", "all", "each")
 _ABSOLUTE: Final = {"my": "mine", "your": "yours", "her": "hers", "their": "theirs"}
 _BE: Final = {"I": "am", "you": "are"}
@@ -47,33 +33,14 @@ def thing(telling: Telling, name: str, case: Case = "object") -> str:
     if person := term.lex & {"you", "me"}:  # the speaker may have a name as well
         return pronoun(telling, min(person), case)
     if name in telling.mentioned:
-        phrase = _again(telling, term)
+        phrase = again(telling, term)
     else:
         kinds = [word(t) for t in telling.about(name, "ako") if not t.negated]
         phrase = _first(telling, term)
         telling.mention(name, "" if term.lex else next(iter(kinds), ""))
     if phrase in PRONOUNS:
-        return PRONOUNS[phrase][_CASES.index(case)]
+        return PRONOUNS[phrase][CASES.index(case)]
     return f"{phrase}'s" if case == "possessive" else phrase
-
-
-def pronoun(telling: Telling, person: str, case: Case) -> str:
-    """You and me in the voice's own view."""
-    if telling.voice == "robot":
-        person = {"you": "me", "me": "you"}[person]
-    return PRONOUNS[person][_CASES.index(case)]
-
-
-def proper(name: str) -> str:
-    """A name as it is written; that of a day is "today"."""
-    if name in classes()["days"]:
-        return name
-    return " ".join(part[:1].upper() + part[1:] for part in name.split(" "))
-
-
-def literally(text: str) -> str:
-    """Quoted speech between quotation marks."""
-    return '"' + text.replace('"', "'") + '"'
 
 
 def owned(telling: Telling, own: Term) -> str:
@@ -278,21 +245,3 @@ def _first(telling: Telling, term: Term) -> str:
     if ref == "they":
         return f"the {phrase}"
     return f"{ref if ref in _DETERMINERS else article(phrase)} {phrase}"
-
-
-def _again(telling: Telling, term: Term) -> str:
-    """As the parser takes it up: "it" is the only thing mentioned, "the block" the last one called a block."""
-    name, noun = term.name, telling.mentioned[term.name]
-    if len(telling.mentioned) == 1 and _personal(telling, name):
-        return "they"
-    same = [other for other, called in telling.mentioned.items() if called == noun]
-    things = [other for other in telling.mentioned if not _personal(telling, other)]
-    if things == [name] or (not term.lex and (not noun or name != same[-1])):
-        return "it" if not _personal(telling, name) else "they"
-    return proper(word(term)) if term.lex else f"the {noun}"
-
-
-def _personal(telling: Telling, name: str) -> bool:
-    """It has a name of its own or is a person, so that it is never "it"."""
-    term = telling.term(name)
-    return bool(term.lex) or term.ref == "somebody" or telling.mentioned.get(name, "") in PERSONS

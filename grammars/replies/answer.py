@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from grammars.render import act_in_words, claim_in_words, definite, thing_in_words
 from grammars.render.clauses import clause
+from grammars.render.names import proper
 from grammars.render.questions import claim, indirect
 from grammars.render.telling import SAYING, Telling, is_predicate
-from grammars.render.things import proper
 from grammars.replies import Said, both, listed, renders
 from kernel.memory.meaning import Question
 from kernel.memory.reply import Answer

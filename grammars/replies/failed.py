@@ -6,8 +6,8 @@ from collections.abc import Callable
 from typing import Final
 
 from grammars.render import act_in_words, claim_in_words, definite, thing_in_words
+from grammars.render.names import PRONOUNS, proper
 from grammars.render.questions import indirect
-from grammars.render.things import PRONOUNS, proper
 from grammars.replies import Said, both, renders
 from grammars.vocabulary import BORN
 from kernel.memory.lesson import LEARN

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Final
 
-from grammars.render.things import proper
+from grammars.render.names import proper
 from grammars.replies import Said, both, renders
 from kernel.memory.reply import Greeted
 

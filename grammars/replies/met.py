@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from grammars.render.things import proper
+from grammars.render.names import proper
 from grammars.replies import Said, both, renders
 from kernel.memory.reply import Met
 

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from grammars.render import act_in_words, claim_in_words
+from grammars.render.names import literally
 from grammars.render.reasons import exact_words, said_by
-from grammars.render.things import literally
 from grammars.replies import Said, aloud, renders, sentence
 from kernel.memory.lesson import LEARN
 from kernel.memory.reply import Refused
