@@ -10,7 +10,15 @@ from grammars.doings import doing, had
 from grammars.errors import NoMeaningError
 from grammars.manners import SO_MANY, how_many
 from grammars.relatives import predicate
-from grammars.sorts import classes, is_abstract, is_kind_of_it, kind, may_be_called, usages
+from grammars.sorts import (
+    classes,
+    is_abstract,
+    is_kind_of_it,
+    is_nothing,
+    kind,
+    may_be_called,
+    usages,
+)
 from grammars.timing import tells_time
 from grammars.usage import TIMES_OF_DAY
 from grammars.ways import WAYS
@@ -67,7 +75,9 @@ def clause(build: Build, part: AList, subject: str = "", topical: bool = False) 
     elif part.has("going") and not objects:  # "after grabbing a vase"
         agent = build.oneself("you")
     elif objects:
-        agent = _subject(build, objects.pop(0), part)
+        agent = _subject(build, np := objects.pop(0), part)
+        if negated and not is_nothing(np):  # "something is not red"
+            build.not_all(agent, np)
     else:
         raise NoMeaningError(str(part))
     build.topic = agent if topical else build.topic

@@ -24,6 +24,7 @@ ONCE: Final = (
     "speaking",
 )
 SOME: Final = {"nothing": "something", "nobody": "somebody", "no one": "someone"}
+OTHERS: Final = SOME | {some: none for none, some in SOME.items()}
 
 
 def otherwise(
@@ -65,19 +66,20 @@ def _turned(said: AList) -> AList:
     """With a denial, or without the one it has."""
     if any(said.has(denial) for denial in DENIALS):
         return AList(said.name, tuple(part for part in said if part.name not in DENIALS))
-    if any(is_nothing(np) for np in said.all("np", "base_np")):
-        return AList(said.name, tuple(map(_some, said)))
+    subject = next(iter(said.all("np", "base_np")), None)
+    if subject is not None and (turned := _other(subject)) is not subject:
+        return AList(said.name, tuple(turned if part is subject else part for part in said))
     return AList(said.name, (*said.parts, AList("neg")))
 
 
-def _some(part: AList) -> AList:
-    """ "Something" for "nothing"."""
-    if part.name not in ("np", "base_np") or not is_nothing(part):
-        return part
-    return AList(part.name, tuple(_some_word(word) for word in part))
-
-
-def _some_word(word: AList) -> AList:
-    if word.name == "vague":
-        return AList(word.name, value=SOME.get(word.value or "", word.value))
-    return AList(word.name, value="any") if word.name == "det" else word
+def _other(np: AList) -> AList:
+    """ "Nothing" for "something", "a block" for "no block"; what is said of nothing that there may be is itself."""
+    if (vague := np.slot("vague")) in OTHERS:
+        word = AList("vague", value=OTHERS[vague])
+    elif is_nothing(np):
+        word = AList("det", value="any")
+    elif np.slot("det") in ("a", "an"):
+        word = AList("det", value="no")
+    else:
+        return np
+    return AList(np.name, tuple(word if part.name == word.name else part for part in np))

@@ -229,6 +229,12 @@ class Things:
             self.add("sub", sub, sub=ako)
         return ako
 
+    def not_all(self, name: str, np: AList) -> None:
+        """What is denied is denied of some thing, and not of all there are: "if a block is not red"."""
+        some = np.has("vague") or (np.has("det") and not is_definite(np))
+        if some and not self.sketch.terms[name].ref:
+            self.sketch.change(name, ref="some")
+
     def quality(self, name: str, qual: AList, negated: bool = False) -> str:
         """Say of what quality a thing is, in what degree; the node of that."""
         said = map(qual.slot, ("hq", "ako", "more", "most", "ord"))

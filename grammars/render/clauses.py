@@ -109,7 +109,7 @@ def clause(telling: Telling, term: Term, hedge: str, others: Iterable[Term] = ()
         rest = " and ".join([rest, *(COMPLEMENTS[role](telling, other) for other in also)])
         telling.hold_back(also)
     telling.release(waiting)
-    denied = "not " if term.negated and subject not in NOBODY else ""
+    denied = "not " if term.negated and not _is_nothing(subject) else ""
     verb = "are" if telling.several(name) else be(subject)
     return Clause(subject, verb, f"{verb} {denied}{adverb}{rest}", f"{denied}{adverb}{rest}")
 
@@ -139,10 +139,10 @@ def _doing(telling: Telling, term: Term, adverb: str) -> Clause:
     done = deed(telling, term.name, told=True)
     third = third and be(subject) == "is"
     if not _is_known(word(term)):  # one that nobody taught is known by its "-ing" only
-        rest = f"{'not ' if term.negated and subject not in NOBODY else ''}{adverb}{gerund(done)}"
+        rest = f"{'not ' if term.negated and not _is_nothing(subject) else ''}{adverb}{gerund(done)}"
         return Clause(subject, be(subject), f"{be(subject)} {rest}", rest)
     verb = "did" if tense else "does" if third else "do"
-    if term.negated and subject not in NOBODY:
+    if term.negated and not _is_nothing(subject):
         return Clause(subject, verb, f"{adverb}{verb} not {done}", f"{adverb}not {done}")
     stated = past(done) if tense or "teach" in term.lex else third_person(done) if third else done
     return Clause(subject, verb, adverb + stated, adverb + done)
@@ -162,14 +162,23 @@ def _picked_out(telling: Telling, name: str) -> bool:
 def _subject(telling: Telling, name: str, negated: bool) -> str:
     if negated and name not in telling.mentioned and not telling.term(name).ref:
         said = telling.about(name, *SAYING)
-        if not said and not telling.term(name).lex:
-            telling.mention(name)
-            return "nothing"
         if [word(term) for term in said] == ["person"] and linked(said[0], "ako"):
             telling.hold_back(said)
             telling.mention(name, "person")
             return "nobody"
+        return _none_of(thing(telling, name, "subject"))
     return thing(telling, name, "subject")
+
+
+def _none_of(some: str) -> str:
+    """ "Nothing red" for "something red", "no block" for "a block"."""
+    first, _, rest = some.partition(" ")
+    none = {"something": "nothing", "a": "no", "an": "no"}.get(first, first)
+    return f"{none} {rest}".rstrip()
+
+
+def _is_nothing(subject: str) -> bool:
+    return subject.partition(" ")[0] in ("no", *NOBODY)
 
 
 def naming(telling: Telling, term: Term, told: bool = False) -> Clause:

@@ -14,7 +14,8 @@ from grammars.usage import BEHIND
 from grammars.vocabulary import BORN
 from kernel.net.graphlet import Term
 
-_DETERMINERS: Final = ("the", "this", "that", "these", "those", "every", "any", "all", "each")
+_DETERMINERS: Final = frozenset("the this that these those every any all each some".split())
+_PERSONS: Final = {"every": "everybody", "some": "somebody"}
 _ABSOLUTE: Final = {"my": "mine", "your": "yours", "her": "hers", "their": "theirs"}
 _BE: Final = {"I": "am", "you": "are"}
 _AT_HOME: Final = {f"a {where}": where for where in ("home", "school", "church", "work")}
@@ -224,13 +225,13 @@ def _first(telling: Telling, term: Term) -> str:
     owners = [] if denied else [linked(own, "of") for own in telling.take(name, "own")]
     whose = thing(telling, owners[0], "possessive") if owners else ""
     bare = "one" if ref == "one" or telling.about(name, "hq", "loc") else "thing"
-    if ref in ("", "somebody", "every") and not owners:
+    if ref in ("", "somebody", "some", "every") and not owners:
         bare = ""
     counts = [count.literal or "" for count in telling.take(name, "cnt")]
     numbers = list(map(so_many, counts))
     before, noun, after = description(telling, name, "thing" if numbers else bare)
-    if ref == "every" and noun == "person" and not before and not whose:
-        return " ".join(filter(None, ("everybody", after)))
+    if ref in _PERSONS and noun == "person" and not before and not whose:
+        return " ".join(filter(None, (_PERSONS[ref], after)))
     if not noun:
         vague = {"somebody": "somebody", "every": "everything"}.get(ref, "something")
         return " ".join(filter(None, (vague, before, after)))

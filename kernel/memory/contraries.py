@@ -91,4 +91,4 @@ def ended_by(fact: Graphlet, known: Container[str] = ()) -> Iterator[Graphlet]:
 
 def definite(asked: Graphlet) -> set[str]:
     """Names of the things in a question or condition that are called by name or spoken of as known."""
-    return {term.name for term in asked if term.lex or term.ref}
+    return {term.name for term in asked if term.lex or term.ref not in ("", "some")}

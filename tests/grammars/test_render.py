@@ -346,6 +346,16 @@ def test_the_robots_voice_has_words_for_every_form(sentence: str) -> None:
         "find the one on the left",
         "grab the red one",
         "grab the dog that is asleep",
+        "if something is not red, dance",
+        "if nothing is red, dance",
+        "if some block is not close, turn left",
+        "if no block is close, turn left",
+        "if somebody does not answer, beep",
+        "if nobody answers, beep",
+        "if somebody near the door is not happy, dance",
+        "drive until nothing red is close",
+        "if a block is close, stop, otherwise drive forward",
+        "if no cup is on the table, beep, otherwise dance",
     ],
 )
 def test_it_is_read_back_in_the_same_words(sentence: str) -> None:
