@@ -139,7 +139,9 @@ def _doing(telling: Telling, term: Term, adverb: str) -> Clause:
     done = deed(telling, term.name, told=True)
     third = third and be(subject) == "is"
     if not _is_known(word(term)):  # one that nobody taught is known by its "-ing" only
-        rest = f"{'not ' if term.negated and not _is_nothing(subject) else ''}{adverb}{gerund(done)}"
+        rest = (
+            f"{'not ' if term.negated and not _is_nothing(subject) else ''}{adverb}{gerund(done)}"
+        )
         return Clause(subject, be(subject), f"{be(subject)} {rest}", rest)
     verb = "did" if tense else "does" if third else "do"
     if term.negated and not _is_nothing(subject):
