@@ -135,6 +135,10 @@ def agrees(np: AList) -> bool:
     most = any(qual.has("most") for qual in np.all("qual"))
     if np.has("vague") and (most or quals & TURNED):
         return False  # "something up", "something stickiest"
+    if not np.has("vague") and quals & classes()["predicative"]:
+        return False
+    if is_bare(np) and np.has("ako") and any(qual.has("more") for qual in np.all("qual")):
+        return False  # "farther gripper"
     switched = kind(np) in classes()["switches"]
     if is_bare(np) and (quals & HERE or (quals & POSITIONS and not switched)):
         return False  # "are there red blocks" asks of no "there blocks", nor "run on batteries" of "on batteries"

@@ -176,8 +176,9 @@ def _how(manner: AList) -> str:
 
 
 def _is_untimely(action: AList, uses: frozenset[str]) -> bool:
-    """ "See it slower": what is done all or not at all takes no time."""
-    return "sensing" in uses and any(m.has("faster") for m in action.all("manner"))
+    """ "See it slower", "stop faster": what is done all or not at all takes no time."""
+    at_once = not uses.isdisjoint(("sensing", "halting"))
+    return at_once and any(m.has("faster") for m in action.all("manner"))
 
 
 def _takes_each(action: AList, every: AList, uses: frozenset[str]) -> bool:
@@ -253,6 +254,8 @@ def _is_short(np: AList, told: bool = False) -> bool:
         return True
     if kind(np) == "back":  # "pause above back"
         return False
+    if np.has("ako") and any(rel.has("going") for rel in np.all("rel")):
+        return False  # "count railway emailing somebody"
     quals = np.all("qual")
     if len(quals) > MOST_QUALITIES or any(qual.has("more") for qual in quals):
         return False

@@ -5,10 +5,21 @@ Nobody turns left right, drives from Rick or goes to himself. What verbs take at
 
 from __future__ import annotations
 
+from itertools import takewhile
 from typing import Final
 
 from grammars.alist import AList
-from grammars.sorts import HERE, POSITIONS, classes, is_abstract, is_bare, is_people, kind, usages
+from grammars.sorts import (
+    HERE,
+    POSITIONS,
+    ROBOT,
+    classes,
+    is_abstract,
+    is_bare,
+    is_people,
+    kind,
+    usages,
+)
 
 WAYS: Final = frozenset(
     "left right forward backward clockwise counterclockwise sideways straight".split()
@@ -23,6 +34,7 @@ OPPOSITE: Final = (
     {"in", "out"},
     {"on", "off"},
 )
+SIDES: Final = ("left", "right")
 BACKING: Final = ("back", "reverse")
 # Said alone they move nothing: "in", "here".
 NO_WAY: Final = frozenset(
@@ -57,7 +69,9 @@ def is_somewhere(action: AList, obj: AList | None, uses: frozenset[str], pattern
         return False
     if {"nowhere", "steering"} <= uses and "venting" not in uses and action.has("dest"):
         return False  # "stop to the kitchen"
-    if action.slot("act") in BACKING and "forward" in dirs:
+    if action.slot("act") in BACKING and not {"forward", "on"}.isdisjoint(dirs):
+        return False
+    if _is_beside_the_end(action):
         return False
     if "aimless" in uses and obj is not None and not POSITIONS.isdisjoint(dirs):
         return False  # "grab the back up"
@@ -68,6 +82,13 @@ def is_somewhere(action: AList, obj: AList | None, uses: frozenset[str], pattern
         return False
     ends = [np for part in action.all("dest") for np in part.all("np")]
     return pattern or not any(map(_is_no_end, ends))
+
+
+def _is_beside_the_end(action: AList) -> bool:
+    """ "Turn to the door left": a side is told before where it is to go."""
+    before = takewhile(lambda part: part.name != "dest", action)
+    after = action.parts[len(tuple(before)) :]
+    return any(part.name == "dir" and part.value in SIDES for part in after)
 
 
 def _is_adrift(obj: AList | None, uses: frozenset[str], dirs: list[str]) -> bool:
@@ -154,7 +175,7 @@ def _goes_to_itself(action: AList, obj: AList | None, uses: frozenset[str]) -> b
         loc = place.first("loc")
         marks += (np.slot("pron") for np in loc.all("np"))
         named = any(np.has("name") for np in loc.all("np"))
-        people = any(map(is_people, loc.all("np")))
+        people = any(is_people(np) or kind(np) == ROBOT for np in loc.all("np"))
         if loc.slot("prep") == "on" and (named or people or not ON_SOMEBODY.isdisjoint(marks)):
             return True
     return not {"you", "yourself"}.isdisjoint(marks)
