@@ -51,6 +51,8 @@ EXAMPLES = (
     "how far did you drive",
     "how long did you wait",
     "when do you say hello",
+    "do you dance when I sing",
+    "are you allowed to touch the vase when nobody is watching",
     "is the gripper open or closed",
     "what are you not allowed to touch",
     "I wonder who may tell you to turn left",

@@ -11,7 +11,8 @@ from grammars.build import Build, NoMeaningError
 from grammars.conditions import stated
 from grammars.questions.clause import YOU, drawn
 from grammars.relatives import predicate
-from kernel.memory.meaning import Ask, Question
+from kernel.action.chain import Directive, sequence
+from kernel.memory.meaning import Question
 from kernel.net.graphlet import Graphlet
 
 PAST: Final = ("past_q", "has_q", "was_q", "pred", "gerunding")
@@ -19,10 +20,11 @@ _ME: Final = AList("np", (AList("pron", value="me"),))
 
 
 def occasional(build: Build, body: AList) -> Question:
-    """ "What should you say when somebody sneezes": what happens then."""
+    """ "What should you say when somebody sneezes": what happens then; "do you dance when I sing": does that."""
     asks = body.first("asks")
     with build.drawing(pattern=True):
         so = drawn(build, asks)
+        deed = build.graphlet(so.main)
     if so.past or not so.own:
         raise NoMeaningError(str(body))
     if (conds := body.find("conds")) is not None:
@@ -30,8 +32,15 @@ def occasional(build: Build, body: AList) -> Question:
     else:
         txt = build.add("txt", literal=body.slot("quote"))
         main = build.add("act", "say", agt=build.oneself("me"), obj=txt)
-    ask: Ask = "what" if body.has("wh") or body.has("wh_adv") else "yesno"
-    return Question(ask, build.graphlet(main), "", "happens")
+    if body.has("wh") or body.has("wh_adv"):
+        return Question("what", build.graphlet(main), "", "happens")
+    occasion = build.graphlet(main)
+    named = [
+        term.name for term in deed if occasion.mentioned & {term.name, *dict(term.links).values()}
+    ]
+    about = build.sketch.graphlet(main, *occasion.names, *(n for n in named if n != so.main))
+    topic = "allowed" if so.topic == "allowed" and not asks.has("modal_q") else "happens"
+    return Question("yesno", about, "", topic, sequence(Directive("DO", deed)))
 
 
 def on_occasion(build: Build, about: Graphlet, body: AList, occasion: AList) -> Graphlet:

@@ -21,6 +21,7 @@ from grammars.render.procedures import procedure
 from grammars.render.telling import Telling, Voice, is_predicate, linked, word
 from grammars.render.things import thing
 from grammars.sorts import classes
+from kernel.action.chain import Chain
 from kernel.memory.meaning import Question
 from kernel.net.graphlet import Graphlet, Term
 
@@ -67,6 +68,8 @@ def _question(telling: Telling, asked: Question, voice: Voice) -> str:
             return _taught(telling, asked, you, me)
         case "would":
             return _would(telling, asked, you)
+        case "allowed" | "happens" if asked.chain is not None:
+            return _then(telling, asked, asked.chain, you)
         case "allowed" if telling.term(main).lex:
             return f"{be(you)} {you} allowed to {deed(telling, main)}"
         case "allowed":
@@ -152,6 +155,15 @@ def _would(telling: Telling, asked: Question, you: str) -> str:
         return f"what would {you} do if {conditions(telling, asked.about)}"
     steps = procedure(Telling(tuple(asked.chain.graphlets()), (), telling.voice), asked.chain)
     return f"what would {you} do if {'you' if you == 'I' else 'I'} said {steps}"
+
+
+def _then(telling: Telling, asked: Question, chain: Chain, you: str) -> str:
+    """A deed on some occasion: "do you dance when I sing", "are you allowed to touch it when nobody is here"."""
+    done = next(chain.graphlets())
+    about = Graphlet(tuple(t for t in asked.about if t not in done.terms), asked.about.main)
+    telling = Telling((done,), (about,), telling.voice)
+    head = f"{be(you)} {you} allowed to" if asked.topic == "allowed" else f"do {you}"
+    return f"{head} {deed(telling, done.main)} when {conditions(telling, about)}"
 
 
 def _past(telling: Telling, asked: Question, you: str) -> str:

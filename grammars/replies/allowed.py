@@ -11,7 +11,8 @@ from kernel.memory.explanation import Allowed
 @renders(Allowed)
 def allowed(reply: Allowed) -> Said:
     """ "No, Freddy taught me: never grab a person. Mary is a girl, and Janey taught me: a girl is a person." """
-    about, trouble = reply.question.about, reply.trouble
+    chain, trouble = reply.question.chain, reply.trouble
+    about = reply.question.about if chain is None else next(chain.graphlets())
     if trouble is None:
         told = [f"yes, I may {asked_act(about)}"]
     else:

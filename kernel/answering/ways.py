@@ -130,7 +130,11 @@ def abilities(asking: Asking) -> Abilities:
 @answers("allowed")
 def allowed(asking: Asking) -> Reply:
     """A dry run finds whatever would forbid it, also a step of it; without an act, the prohibitions there are."""
-    act = asking.act
+    act, chain = asking.act, asking.question.chain
+    if chain is not None:  # "are you allowed to touch the vase when nobody is watching"
+        act = next(chain.graphlets())
+        if told := asking.about_acts(act, "ANTE", "ALLOW"):
+            return Lessons(asking.question, tuple(told))
     if act is not None and asking.question.ask != "yesno":  # "what are you not allowed to touch"
         return Lessons(asking.question, tuple(asking.about_acts(act, "ANTE", "ALLOW")))
     if act is None:

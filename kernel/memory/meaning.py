@@ -60,7 +60,8 @@ class Question:
     wanted: name of the node asked for ("" for yesno).
     topic: "" for what is so; else what the question is about: "identity" (who am I), "doing", "did", "know_about",
         "know_how", "taught", "learned", "happens", "would" ...
-    chain: what is supposed to be commanded: "what would you do if I said dance".
+    chain: what is supposed to be commanded: "what would you do if I said dance"; what is done on the occasion that it
+        is about: "do you dance when I sing".
     """
 
     ask: Ask
