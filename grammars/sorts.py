@@ -133,7 +133,7 @@ def agrees(np: AList) -> bool:
         return False
     quals = {qual.slot("hq") for qual in np.all("qual")}
     most = any(qual.has("most") for qual in np.all("qual"))
-    if np.has("vague") and (most or quals & TURNED):
+    if np.has("vague") and (most or quals & TURNED or _is_part_of_one(np)):
         return False  # "something up", "something stickiest"
     if not np.has("vague") and quals & classes()["predicative"]:
         return False
@@ -153,6 +153,16 @@ def agrees(np: AList) -> bool:
     if np.has("numbered") and kind(np) not in classes()["numbered"]:  # "page two"
         return False
     return not (det in ONE and np.has("akos")) and not (det in SEVERAL and np.has("ako"))
+
+
+def _is_part_of_one(np: AList) -> bool:
+    """ "Something of the green box": of things it is told what part."""
+    owners = [owner for rel in np.all("rel") for owner in rel.all("of_owner")]
+    return any(
+        not is_people(whose) and not whose.has("name")
+        for owner in owners
+        for whose in owner.all("np")
+    )
 
 
 def _is_order(word: str) -> bool:

@@ -49,7 +49,8 @@ TIMES_OF_DAY: Final = frozenset(
 AMBIENT: Final = frozenset("late early dark sunny cloudy windy foggy".split())
 MEANS: Final = ("with", "for", "on", "about", "from")
 # Nothing is done to them under these names: "stop you", "grab he".
-SUBJECTS: Final = ("you", "i", "he", "she", "they")
+NOMINATIVES: Final = ("i", "he", "she", "they", "we")
+SUBJECTS: Final = ("you", *NOMINATIVES)
 
 PUTTING: Final = ("put", "place", "lay", "set", "stack", "put down", "set down", "lay down")
 
@@ -89,6 +90,8 @@ def is_used(action: AList, verb: str, pattern: bool) -> bool:
         return False
     if any(len(action.all(part)) > 1 for part in ONCE) or _is_untimely(action, uses):
         return False
+    if action.has("size") and any(not amt.has("num") for amt in action.all("amt")):
+        return False  # "back up a little an hour"
     if not is_somewhere(action, obj, uses, pattern):
         return False
     dest, receiver = action.find("dest"), action.find("iobj")
@@ -102,6 +105,8 @@ def is_used(action: AList, verb: str, pattern: bool) -> bool:
         return False
     beside = [receiver, action.find("dest"), action.find("place")]
     bare = [np for part in beside if part is not None for np in part.walk() if np.name == "np"]
+    if any(np.slot("pron") in NOMINATIVES for np in bare):
+        return False  # "past i"
     if "venting" in uses and any(map(is_bare, bare)):
         return False
     if "steering" in uses and any(map(_is_around_some, action.all("place"))):
@@ -163,8 +168,10 @@ def is_odd_manner(action: AList, obj: AList | None) -> bool:
     first = [how for how in map(_how, before) if "ADJ" in BORN.readings(how)]
     if not classes()["urged"].issuperset(first) or (first and obj is not None and is_bare(obj)):
         return True
-    wider = any(_how(part) == "wide" for part in action.all("manner") if part.has("faster"))
-    wider = wider or action.slot("size").endswith("wider")
+    hows = set(map(_how, action.all("manner")))
+    if hows & classes()["swift"] and hows & classes()["unhurried"]:
+        return True
+    wider = "wide" in hows or action.slot("size").endswith("wider")
     uses = usages(action.slot("act"))
     return wider and "still" in uses and "widened" not in uses
 
@@ -210,7 +217,7 @@ def _takes(action: AList, obj: AList, uses: frozenset[str], pattern: bool) -> bo
         return False
     if (before and _is_called(obj)) or (bare and kind(obj) == ROBOT):
         return False
-    if not pattern and (obj.slot("pron") in SUBJECTS or kind(obj) in TIMES_OF_DAY):
+    if not pattern and (obj.slot("pron") in (*SUBJECTS, "itself") or kind(obj) in TIMES_OF_DAY):
         return False
     if action.slot("act") in BACKING and (
         obj.has("one") or kind(obj) not in classes()["backing"] | {""}
@@ -256,6 +263,8 @@ def _is_short(np: AList, told: bool = False) -> bool:
         return False
     if np.has("ako") and any(rel.has("going") for rel in np.all("rel")):
         return False  # "count railway emailing somebody"
+    if "same" in _qualities(np) or (np.has("akos") and any(q.has("ord") for q in np.all("qual"))):
+        return False  # "next brains"
     quals = np.all("qual")
     if len(quals) > MOST_QUALITIES or any(qual.has("more") for qual in quals):
         return False
