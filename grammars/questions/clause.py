@@ -82,8 +82,10 @@ def drawn(build: Build, asks: AList, agent: str = "") -> Said:
     subject = asks.find("np")
     if subject is not None and (named := called(build, subject, asks)):
         return Said(named)
+    build.negative = False
     if (exist := asks.find("exist")) is not None:
-        return Said(_existing(build, exist))
+        main = _existing(build, exist)
+        return Said(_deny(build, main, build.negative and not main.startswith("obj")))
     deemed = asks.find("deemed")  # "it is dangerous to touch the lamp"
     if deemed is not None and deemed.slot("hq") not in ALLOWED:
         hq = build.quality(build.action(deemed.first("action")), deemed)
@@ -93,6 +95,9 @@ def drawn(build: Build, asks: AList, agent: str = "") -> Said:
     own = not agent and (subject is None or subject.slot("pron") == "you")
     deed = asks.find(*DEEDS, *BLANK, "spoken", "instructing")
     who = agent or ("" if own and deed is not None else build.thing(subject or YOU))
+    denied = denied or build.negative  # "why is nothing red"
+    if subject is not None and asks.has("neg") and not build.negative and who:
+        build.not_all(who, subject)
     if (passive := asks.find("passive")) is not None:
         if asks.find("was_q", "has_q", "modal_q") is None and agent == "":
             raise NoMeaningError(str(asks))  # "is this seat taken" tells of no deed

@@ -356,6 +356,11 @@ def test_the_robots_voice_has_words_for_every_form(sentence: str) -> None:
         "drive until nothing red is close",
         "if a block is close, stop, otherwise drive forward",
         "if no cup is on the table, beep, otherwise dance",
+        "why is nothing red",
+        "is nothing close",
+        "is something not close",
+        "do you dance when I sing",
+        "are you allowed to touch the vase when nobody watches",
     ],
 )
 def test_it_is_read_back_in_the_same_words(sentence: str) -> None:
