@@ -30,7 +30,9 @@ def stated(build: Build, conds: AList) -> Graphlet:
     """The same on the present board: what is definite is looked up where that is drawn no pattern."""
     if (time := conds.slot("daypart")) or (time := o_clock(conds.find("hour"))):
         return build.graphlet(it_is(build, time))
-    first, *more = flat(conds)
+    if len(conds.parts) == 1 and conds.has("conds"):
+        return stated(build, conds.first("conds"))
+    first, *more = flat(conds) or [conds]
     mains = [clause(build, first, topical=True), *(clause(build, part) for part in more)]
     build.claims.update(mains)
     return build.graphlet(mains[0])
