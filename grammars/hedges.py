@@ -50,6 +50,12 @@ BELIEF: Final = {
     "possible": 0.5,
     "perhaps": 0.5,
     "rarely": 0.2,
+    "maybe": 0.5,
+    "occasionally": 0.5,
+    "frequently": 0.8,
+    "most likely": 0.7,
+    "almost certainly": 0.8,
+    "surely": 1.0,
     "unlikely": 0.2,
     "nearly never": 0.2,
     "almost never": 0.2,
@@ -64,5 +70,9 @@ def preference(words: str) -> float:
 
 
 def belief(words: str) -> float:
-    """Belief of a wording; 1.0 for none."""
-    return BELIEF.get(words, 1.0)
+    """Belief of a wording; 1.0 for none.
+
+    Raises:
+        KeyError: no such wording is known.
+    """
+    return BELIEF[words] if words else 1.0

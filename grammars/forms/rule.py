@@ -55,7 +55,7 @@ def rule(alist: AList) -> Teach:
     else:
         raise NoMeaningError(str(alist))
     hedges = [part.slot("hedge") for part in (alist, generic, said) if part is not None]
-    hedge = next(filter(None, hedges), said.slot("may") and "may")
+    hedge = next(filter(None, hedges), "may" if said.has("may") else "")
     with build.drawing(pattern=True):
         main = clause(build, said, thing)
         if hedge == NEVER:  # "dogs never bite"
