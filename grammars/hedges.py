@@ -7,6 +7,8 @@ from __future__ import annotations
 
 from typing import Final
 
+from grammars.alist import AList
+
 PREFERENCE: Final = {
     "must always": 1.2,
     "must": 1.1,
@@ -76,3 +78,13 @@ def belief(words: str) -> float:
         KeyError: no such wording is known.
     """
     return BELIEF[words] if words else 1.0
+
+
+def hedge_of(said: AList) -> str:
+    """The wording by which a clause says how sure it is; "" for none."""
+    return said.slot("hedge") or ("may" if said.has("may") else "")
+
+
+def belief_of(said: AList) -> float:
+    """How sure a clause says that it is."""
+    return belief(hedge_of(said))

@@ -10,7 +10,7 @@ from grammars.errors import NoMeaningError
 from grammars.mentions import PLACES, VERB_SLOTS, compounded, is_time
 from grammars.morphology import lemmas
 from grammars.pacing import TIMES
-from grammars.sorts import is_attribute, is_bare, is_kind_of_it, kind, may_regard, usages
+from grammars.sorts import POSITIONS, is_attribute, is_bare, is_kind_of_it, kind, may_regard, usages
 from grammars.usage import PUTTING, TIMES_OF_DAY, particles
 
 if TYPE_CHECKING:
@@ -200,6 +200,8 @@ def kind_of(build: Things, name: str, kindof: AList, negated: bool) -> str:
     """
     called, quals = kind(kindof), kindof.all("qual")
     if not called or (negated and len(quals) > 1):
+        raise NoMeaningError(str(kindof))
+    if any(qual.slot("hq") in POSITIONS for qual in quals):  # "cups are on shelves"
         raise NoMeaningError(str(kindof))
     described = bool(quals) and not build.pattern and not kindof.has("rel")
     denied = [build.quality(name, qual, negated and described) for qual in quals]

@@ -6,9 +6,10 @@ from typing import Final
 
 from grammars.alist import AList
 from grammars.errors import NoMeaningError
+from grammars.hedges import hedge_of
 from grammars.manners import NOT_TOO
 from grammars.mentions import EVERY, is_definite
-from grammars.sorts import is_abstract, is_bare, kind
+from grammars.sorts import HERE, NEARNESS, is_abstract, is_bare, kind
 from grammars.vocabulary import BORN, set_phrases
 
 # What somebody does without ever being at it; such a saying is no deed that could be watched.
@@ -130,7 +131,13 @@ def _is_countable(thing: AList) -> bool:
 
 
 def _stands_somewhere(said: AList) -> bool:
-    """ "A person is standing behind you" tells of one that is there now."""
+    """ "A person is standing behind you", "a ball is under the table" tell of one that is there now."""
+    pred = said.find("pred")
+    if pred is not None and not hedge_of(said) and not is_abstract(said.first("np", "base_np")):
+        near = any(qual.slot("hq") in (*HERE, *NEARNESS) for qual in pred.all("qual"))
+        return near or any(
+            is_definite(np) or np.has("pron") for loc in pred.all("loc") for np in loc.all("np")
+        )
     doing = said.find("going") or said
     place = doing.find("place")
     stands = doing.slot("gerund") or doing.slot("does")

@@ -10,6 +10,7 @@ from grammars.clauses import clause
 from grammars.comparing import regarding
 from grammars.dates import dated
 from grammars.happenings import happened
+from grammars.hedges import belief_of, hedge_of
 from grammars.mentions import EVERY, OWNING, is_person, may_be_person
 from grammars.mutual import of_each
 from grammars.registry import sentence_form
@@ -74,8 +75,11 @@ def fact(alist: AList) -> Fact:
             raise NoMeaningError("a rule")
         check_subject(one)
         check_absence(one)
+        if hedge_of(one) and one.first("np").has("pron"):
+            raise NoMeaningError("small talk")  # "you are probably right"
     with build.drawing(pattern=False):
         mains = [clause(build, one) for one in said]
+        build.sketch.change(mains[0], belief=belief_of(said[0]))
         if (denied := alist.find("denied_so", "also_so")) is not None:
             mains.append(_but(build, mains[0], denied))
         told = build.graphlet(mains[0])

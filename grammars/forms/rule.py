@@ -8,7 +8,7 @@ from grammars.alist import AList
 from grammars.build import Build, NoMeaningError
 from grammars.clauses import clause
 from grammars.conditions import condition, exception, stated
-from grammars.hedges import belief
+from grammars.hedges import belief, hedge_of
 from grammars.registry import sentence_form
 from grammars.sorts import classes, kind
 from grammars.vocabulary import BORN
@@ -54,8 +54,8 @@ def rule(alist: AList) -> Teach:
         said = conclusion
     else:
         raise NoMeaningError(str(alist))
-    hedges = [part.slot("hedge") for part in (alist, generic, said) if part is not None]
-    hedge = next(filter(None, hedges), "may" if said.has("may") else "")
+    parts = [part for part in (alist, generic, said) if part is not None]
+    hedge = next(filter(None, map(hedge_of, parts)), "")
     with build.drawing(pattern=True):
         main = clause(build, said, thing)
         if hedge == NEVER:  # "dogs never bite"

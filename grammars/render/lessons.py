@@ -120,7 +120,10 @@ def fact(content: Graphlet, finds: tuple[Graphlet, ...], voice: Voice) -> str:
     belief = main.belief if main else 1.0
     if main and not is_predicate(main):
         return str(naming(Telling(finds, (content,), voice), main, told=True))
-    return conditions(Telling(finds, (content,), voice), content, hedge(belief))
+    telling = Telling(finds, (content,), voice)
+    return conditions(
+        telling, content, "possibly" if belief == BELIEF["possibly"] else hedge(belief)
+    )
 
 
 def _there_too(telling: Telling, content: Graphlet, finds: tuple[Graphlet, ...]) -> Iterator[str]:

@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+import re
+from importlib.resources import files
+
 import pytest
 
 from grammars.hedges import belief, preference
 from grammars.parse import parse
 from kernel.memory.lesson import Operator, Rule
-from kernel.memory.meaning import Teach
+from kernel.memory.meaning import Fact, Teach
 
 
 @pytest.mark.parametrize(
@@ -38,6 +41,7 @@ def test_strength_of_advice(words: str, value: float) -> None:
         ("usually", 0.8),
         ("probably", 0.7),
         ("sometimes", 0.5),
+        ("maybe", 0.5),
         ("rarely", 0.2),
     ],
 )
@@ -47,3 +51,44 @@ def test_how_sure_a_rule_is(word: str, value: float) -> None:
     assert isinstance(meaning, Teach)
     assert isinstance(meaning.content, Rule)
     assert meaning.content.belief == value
+
+
+@pytest.mark.parametrize(
+    ("said", "value"),
+    [
+        ("dogs may be friendly", 0.5),
+        ("if something is a dog it may be friendly", 0.5),
+        ("dogs tend to be friendly", 0.8),
+    ],
+)
+def test_a_rule_that_may_be_so(said: str, value: float) -> None:
+    meaning = parse(said).meaning
+    assert isinstance(meaning, Teach)
+    assert isinstance(meaning.content, Rule)
+    assert meaning.content.belief == value
+
+
+@pytest.mark.parametrize(
+    ("said", "value"),
+    [
+        ("Mary is tall", 1.0),
+        ("Mary is definitely tall", 1.0),
+        ("my dog usually barks", 0.8),
+        ("probably the cup is heavy", 0.7),
+        ("Tom may have the key", 0.5),
+        ("the cup is rarely empty", 0.2),
+    ],
+)
+def test_how_sure_a_fact_is(said: str, value: float) -> None:
+    meaning = parse(said).meaning
+    assert isinstance(meaning, Fact)
+    assert meaning.fact.head is not None
+    assert meaning.fact.head.belief == value
+
+
+def test_every_hedge_of_the_grammar_has_a_belief() -> None:
+    rules = (files("grammars") / "forms" / "rule.lark").read_text("utf8")
+    said = re.search(r"^!hedge:(.*?)^\S", rules, re.MULTILINE | re.DOTALL)
+    assert said is not None
+    for words in re.findall(r'((?:"[a-z]+" ?)+)', said.group(1)):
+        assert 0 < belief(words.replace('"', "").strip()) <= 1, words
