@@ -15,12 +15,13 @@ from grammars.errors import BrokenOffError, NoMeaningError
 from grammars.lattice import Lexer, Token, variants
 from grammars.nearest import near_words
 from grammars.normalise import Piece
+from grammars.questions.either import one_of
 from grammars.quoting import holds
 from grammars.ranking import Ranking, Tree, to_alist
 from grammars.registry import discover
 from grammars.sorts import is_of_persons
 from grammars.ways import is_waiting_for_way
-from kernel.memory.meaning import Meaning, Teach
+from kernel.memory.meaning import Meaning, Question, Teach
 
 MOST_REPAIRED: Final = 4  # typos in one sentence
 MOST_REPAIRS: Final = 9  # ways to repair them that are tried
@@ -231,6 +232,9 @@ def _built(sentence: AList) -> tuple[str, Meaning] | None:
         if is_single(body) and not body.has("several"):
             return form.kind, form.build(body)
         meant = [form.build(one) for one in alternatives(body)]
+        asked = [meaning for meaning in meant if isinstance(meaning, Question)]
+        if len(asked) == len(meant) == 2:  # "did you turn left or right"
+            return form.kind, one_of(*asked)
     except NoMeaningError:
         return None
     taught = [meaning for meaning in meant if isinstance(meaning, Teach)]

@@ -99,7 +99,8 @@ def is_used(action: AList, verb: str, pattern: bool) -> bool:
         return False
     if dest is not None and any(map(is_said_to_persons, dest.all("np"))):
         return False  # "hang on to your hat"
-    if dest is not None and dest.has("whither") and "GIVE" in BORN.readings(verb):
+    told = "informing" in uses or "GIVE" in BORN.readings(verb)
+    if dest is not None and dest.has("whither") and told:
         return False  # "show Mary where the hat is" shows its place
     if receiver is not None and not all(map(may_receive, receiver.all("np"))):
         return False

@@ -11,7 +11,7 @@ from grammars.comparing import regarding
 from grammars.dates import dated
 from grammars.happenings import happened
 from grammars.hedges import belief_of, hedge_of
-from grammars.mentions import EVERY, OWNING, is_person, may_be_person
+from grammars.mentions import EVERY, OWNING, is_definite, is_person, may_be_person
 from grammars.mutual import of_each
 from grammars.registry import sentence_form
 from grammars.remarks import check_absence, check_subject
@@ -35,6 +35,7 @@ EXAMPLES = (
     "the blue block is not heavy",
     "the ball is behind you",
     "I'm very tired",
+    "Lily knows how to swim",
 )
 
 NAMES: Final = ("name", "nickname", "surname")
@@ -56,6 +57,8 @@ def fact(alist: AList) -> Fact:
             teller = build.thing(taught.first("np"), person=True)
             main = build.add("act", "teach", agt=teller, dest=build.oneself("you"), cmd=act)
             return Fact(build.graphlet(main))
+    if (skilled := alist.find("skilled")) is not None:
+        return _skilled(build, skilled)
     if (deed := alist.find("past_deed")) is not None:
         return happened(build, deed)
     if (feeling := alist.find("feeling")) is not None:  # "I'm hungry"
@@ -84,6 +87,20 @@ def fact(alist: AList) -> Fact:
             mains.append(_but(build, mains[0], denied))
         told = build.graphlet(mains[0])
     return Fact(told, tuple(build.finds))
+
+
+def _skilled(build: Build, skilled: AList) -> Fact:
+    """ "Lily knows how to swim", and nobody how to live: what the robot has a word for, of somebody in particular."""
+    who, action = skilled.first("np"), skilled.first("action")
+    known = BORN.readings(action.slot("act")).keys() & {"VERB", "STATE"}
+    if not known or not (who.has("name") or is_definite(who)) or who.has("pron"):
+        raise NoMeaningError(str(skilled))
+    with build.drawing(pattern=False):
+        agent = build.thing(who, person=True)
+        verb = skilled.slot("states") or skilled.slot("state")
+        denied = skilled.has("neg")
+        knows = build.add("act", verb, negated=denied, agt=agent, obj=build.action(action))
+        return Fact(build.graphlet(knows), tuple(build.finds))
 
 
 def _dreading(build: Build, dreading: AList) -> Fact:

@@ -9,7 +9,7 @@ from typing import Final
 from grammars.alist import AList
 from grammars.build import Build, NoMeaningError
 from grammars.dates import day_asked
-from grammars.questions import occasions, reasons, things, topics, wanted, whether
+from grammars.questions import either, occasions, reasons, things, topics, wanted, whether
 from grammars.registry import sentence_form
 from kernel.memory.meaning import Question
 
@@ -54,6 +54,11 @@ EXAMPLES = (
     "do you dance when I sing",
     "are you allowed to touch the vase when nobody is watching",
     "is the gripper open or closed",
+    "did you turn left or right",
+    "is the cup red or is it blue",
+    "does Lily know how to swim",
+    "do you need a rest",
+    "remind me where the cup is",
     "what are you not allowed to touch",
     "I wonder who may tell you to turn left",
 )
@@ -96,7 +101,7 @@ SO: Final[dict[str, Callable[[Build, AList], Question]]] = {
     "which_is": things.which_is,
     "cleft": whether.cleft,
     "obeys": topics.obeys,
-    "either_so": occasions.either_so,
+    "either_so": either.either_so,
     "same_thing": whether.same_thing,
     "which_way": things.which_way,
     "steps": topics.steps,

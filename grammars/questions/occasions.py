@@ -9,8 +9,7 @@ from typing import Final
 from grammars.alist import AList
 from grammars.build import Build, NoMeaningError
 from grammars.conditions import stated
-from grammars.questions.clause import YOU, drawn
-from grammars.relatives import predicate
+from grammars.questions.clause import drawn
 from kernel.action.chain import Directive, sequence
 from kernel.memory.meaning import Question
 from kernel.net.graphlet import Graphlet
@@ -68,17 +67,3 @@ def since_told(build: Build, body: AList) -> Question:
     if so.own and so.inner:  # "when did you find out you broke it" is about no lesson
         raise NoMeaningError(str(body))
     return Question("when", build.graphlet(so.main), "", "taught")
-
-
-def either_so(build: Build, body: AList) -> Question:
-    """ "Is the gripper open or closed": both are drawn, and one of them is so."""
-    np = body.find("np") or YOU
-    who = build.thing(np)
-    mains = [predicate(build, who, pred, negated=False) for pred in body.all("pred")]
-    mains += [build.place("loc", who, loc) for loc in body.all("loc")]
-    if any(build.sketch.terms[name].kind == "obj" for name in mains):  # "are you Tim or Oscar"
-        raise NoMeaningError(str(body))
-    for doing in body.all("gerunding"):
-        mains.append(build.action(doing))
-        build.sketch.link(mains[-1], "agt", who)
-    return Question("which", build.graphlet(mains[0]), mains[1], "either")

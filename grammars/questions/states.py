@@ -6,6 +6,7 @@ from grammars.alist import AList
 from grammars.build import Build, NoMeaningError
 from grammars.clauses import clause
 from grammars.comparing import regarding
+from grammars.doings import WISHES
 from grammars.questions.topics import does_so
 from grammars.relatives import predicate
 
@@ -24,8 +25,8 @@ def state(build: Build, asks: AList, who: str) -> str:
     if (qual := asks.find("qual")) is not None:
         return build.quality(who, qual)
     if (does := asks.find("does_q")) is not None:
-        if does.value == "have" or (len(does.parts) == 1 and does.slot("state") == "have"):
-            return build.add("act", "have", agt=who)
+        if (verb := _alone(does)) == "have" or (verb in WISHES and not asks.has("modal_q")):
+            return build.add("act", verb, agt=who)  # what, is asked
         if does.slot("state") == "know" and does.has("dest"):  # "know where it is"
             raise NoMeaningError(str(does))
         return does_so(build, does, who)
@@ -46,3 +47,8 @@ def state(build: Build, asks: AList, who: str) -> str:
             build.sketch.change(there, lex=frozenset(("in",)))
         return there
     raise NoMeaningError(str(asks))
+
+
+def _alone(does: AList) -> str:
+    """The verb, where nothing stands with it."""
+    return does.value or (does.slot("state") if len(does.parts) == 1 else "")

@@ -42,6 +42,8 @@ TOPICS: Final[dict[str, tuple[Ask, str]]] = {
     "would": ("what", "would"),
 }
 DEEDS: Final = ("action", "gerunding", "did_it", "said_it")
+KNOWING: Final = ("know", "remember", "learn", "forget")  # how to do something
+WISHING: Final = ("want", "need", "like", "enjoy")  # a rest, a push
 MEASURED: Final = ("how", "howmany", "when", "where")  # what may be so about
 NEARLY: Final = ("roughly", "approximately", "about", "around")
 
@@ -110,10 +112,13 @@ def _about(build: Build, body: AList) -> Graphlet:
 
 
 def does_so(build: Build, does: AList, agent: str) -> str:
-    """ "Like cats", "like turning left": node of what somebody does all the time."""
-    if (gerunding := does.find("gerunding")) is not None:
-        liked = build.action(gerunding)
-        return build.add("act", does.slot("state"), agt=agent, obj=liked)
+    """ "Like cats", "like turning left", "know how to swim": node of what somebody does all the time."""
+    verb = does.slot("state") or does.slot("states")
+    skill, wish = does.find("action"), does.find("wish")
+    if (skill is not None and verb not in KNOWING) or (wish is not None and verb not in WISHING):
+        raise NoMeaningError(str(does))
+    if (deed := skill or wish or does.find("gerunding")) is not None:
+        return build.add("act", verb, agt=agent, obj=build.action(deed))
     said = (AList("state", value=does.value),) if does.value else does.parts
     habit = AList("habit", said)
     return clause(build, AList("q", (habit,)), agent)

@@ -7,12 +7,15 @@ from typing import Final
 from grammars.alist import AList
 from grammars.build import Build, NoMeaningError
 from grammars.clauses import clause
+from grammars.doings import WISHES
 from grammars.mentions import EVERY, compounded
 from grammars.questions.clause import YOU, Said, by_robot, drawn, of_clause, order_topic, topic_of
 from grammars.questions.topics import DEEDS
 from grammars.sorts import kind
 from kernel.memory.meaning import Question
 
+# What is asked with a "not" is no request: "couldn't you find it".
+DID_NOT: Final = {"could": "did", "can": "know_how"}
 IDLE: Final = frozenset("could would might shall".split())  # of others: nobody asks a robot
 
 
@@ -24,6 +27,8 @@ def whether(build: Build, asks: AList) -> Question:
     others = not so.own and subject.slot("pron") != "i"
     unasked = (modal in IDLE and not so.past) or (modal == "may" and not subject.has("name"))
     idle = others and unasked
+    if so.own and so.topic == "request" and asks.has("negq") and modal in DID_NOT:
+        return Question("yesno", build.graphlet(so.main), "", DID_NOT[modal])
     if idle or (so.topic == "request" and so.own) or _says_nothing(build, so):
         raise NoMeaningError(str(asks))
     lesson = asks.find("instructing")
@@ -48,9 +53,11 @@ def whether(build: Build, asks: AList) -> Question:
 
 
 def _says_nothing(build: Build, so: Said) -> bool:
-    """ "Did you say": what is said is missing."""
+    """ "Did you say", "do you like": what is said, liked or had is missing."""
     term = build.sketch.terms[so.inner or so.main]
-    return "say" in term.lex and not {"obj", "dest"} & {role for role, _ in term.links}
+    return not term.lex.isdisjoint(("say", "have", *WISHES)) and not {"obj", "dest"} & {
+        role for role, _ in term.links
+    }
 
 
 def cleft(build: Build, body: AList) -> Question:

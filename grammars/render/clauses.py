@@ -134,6 +134,8 @@ def _doing(telling: Telling, term: Term, adverb: str) -> Clause:
     subject = _subject(telling, agent, term.negated) if agent else "something"
     if subject == "they" and third:  # rules want the singular verb: "he likely speaks Portuguese"
         subject = "she" if telling.term(agent).lex & WOMEN else "he"
+    if not term.lex and term.ref == "that":
+        return Clause(subject, "did", "did that", "do that")
     tense = [mod for mod in telling.about(term.name, "mod") if word(mod) == "past"]
     telling.hold_back(tense)
     done = deed(telling, term.name, told=True)

@@ -25,6 +25,7 @@ _WAITING: Final = ("wait", "pause", "rest")
 _GOING: Final = ("go", "drive", "move", "step", "roll", "run", "walk", "come", "climb")
 _SENSING: Final = ("see", "hear", "watch", "notice", "feel")
 _TELLING: Final = ("tell", "ask")
+_KNOWING: Final = ("know", "remember", "learn", "forget")
 _GIVING: Final = ("show", "give", "bring", "teach", *_TELLING)
 _SIZES: Final = {
     "little": "a little",
@@ -87,7 +88,7 @@ def _arguments(telling: Telling, term: Term, told: bool) -> list[str]:
     obj, dest, cmd = (linked(term, role) for role in ("obj", "dest", "cmd"))
     parts = []
     itself = not told and obj and telling.term(obj).lex == {"you"}
-    what = _YOURSELF[telling.voice] if itself else _object(telling, obj) if obj else ""
+    what = _YOURSELF[telling.voice] if itself else _object(telling, obj, word(term)) if obj else ""
     if dest and word(term) in ((*_TELLING, "teach") if told else _GIVING):
         parts += [thing(telling, dest), what]
     else:
@@ -111,13 +112,14 @@ def _arguments(telling: Telling, term: Term, told: bool) -> list[str]:
     return [part for part in parts if part]
 
 
-def _object(telling: Telling, name: str) -> str:
+def _object(telling: Telling, name: str, verb: str) -> str:
     """Quoted speech, a thing, or the whereabouts of one: "where my phone is"."""
     term = telling.term(name)
     if term.literal is not None:
         return literally(term.literal)
     if term.kind == "act":
-        return f"to {deed(telling, name)}"
+        how = "how " if verb in _KNOWING else ""
+        return f"{how}to {deed(telling, name)}"
     sought = linked(term, "loc")
     if sought and not term.lex:
         telling.stated.add(name)

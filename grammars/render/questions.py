@@ -18,7 +18,7 @@ from grammars.render.missing import (
     spaced,
 )
 from grammars.render.procedures import procedure
-from grammars.render.telling import Telling, Voice, is_predicate, linked, word
+from grammars.render.telling import SAYING, Telling, Voice, is_predicate, linked, word
 from grammars.render.things import thing
 from grammars.sorts import classes
 from kernel.action.chain import Chain
@@ -33,7 +33,8 @@ _SEEN: Final = ("day", "color", "size", "shape", "kind", "make", "brand")
 def question(asked: Question, voice: Voice) -> str:
     """The question itself: "is Mary a person", "where is the red block"."""
     telling = Telling((asked.about,), (), voice)
-    telling.join(asked.about)
+    if asked.topic != "either":
+        telling.join(asked.about)
     text = _question(telling, asked, voice)
     return text + (occasion(telling, asked.about) if asked.topic in OCCASIONAL else "")
 
@@ -118,7 +119,9 @@ def _either(telling: Telling, asked: Question) -> str:
     main, other = (telling.term(name) for name in (asked.about.main, asked.wanted))
     telling.hold_back([main, other])
     one, two = (clause(telling, term, "") for term in (main, other))
-    return f"{one.verb} {one.subject} {one.asked} or {two.asked}"
+    of = ({o for r, o in term.links if r in ("agt", *SAYING)} for term in (main, other))
+    again = "" if set.intersection(*of) else f"{two.verb} {two.subject} "
+    return f"{one.verb} {one.subject} {one.asked} or {again}{two.asked}"
 
 
 def _taught(telling: Telling, asked: Question, you: str, me: str) -> str:

@@ -4,18 +4,21 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import replace
+from typing import Final
 
 from kernel.asking import Asking, answers
 from kernel.memory.experience import Deed
 from kernel.memory.explanation import Allowed, Lessons, Taught
 from kernel.memory.meaning import Question
-from kernel.memory.meant import description, is_like
+from kernel.memory.meant import description, is_like, together
 from kernel.memory.recall import THINGS
 from kernel.memory.recall import answer as recalled
 from kernel.memory.reply import Answer, Reply
 from kernel.net.graphlet import Graphlet
 from kernel.net.match import holds, matches
 from kernel.net.node import REMEMBERED
+
+PAST: Final = frozenset(("past",))
 
 
 @answers("ordered")
@@ -95,12 +98,23 @@ def occasion(asking: Asking) -> Lessons:
 
 @answers("either")
 def either(asking: Asking) -> Reply:
-    """Whichever of the two is known to be so."""
+    """Whichever of the two is known to be so, or was done last."""
     question, memory = asking.question, asking.commons.memory
     both = (question.about.main, question.wanted)
     for main, other in (both, both[::-1]):
-        about = Graphlet(tuple(term for term in question.about if term.name != other), main)
+        terms = tuple(t for t in question.about if other not in (t.name, *dict(t.links).values()))
+        about = together(Graphlet(terms, main))
         found = recalled(Question("yesno", about), memory)
-        if found.verdict == "yes":
+        if found.verdict == "yes" or _was_done(asking.of(_undated(about))):
             return Answer(question, "found", (about,))
     return Answer(question, "unknown")
+
+
+def _was_done(asking: Asking) -> bool:
+    """The robot did so."""
+    return asking.about_act and any(deed.done for deed in asking.deeds())
+
+
+def _undated(act: Graphlet) -> Graphlet:
+    """Without saying that it is over."""
+    return Graphlet(tuple(term for term in act if term.lex != PAST), act.main)
