@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Final, Literal
 
-from grammars.morphology import comparative, gerund, past, third_person
+from grammars.morphology import article, comparative, gerund, past, third_person
 from grammars.pacing import TIMES
 from grammars.render.names import literally
 from grammars.render.qualities import degree, measured
@@ -25,6 +25,7 @@ _WAITING: Final = ("wait", "pause", "rest")
 _GOING: Final = ("go", "drive", "move", "step", "roll", "run", "walk", "come", "climb")
 _SENSING: Final = ("see", "hear", "watch", "notice", "feel")
 _TELLING: Final = ("tell", "ask")
+_WISHING: Final = ("want", "need")
 _KNOWING: Final = ("know", "remember", "learn", "forget")
 _GIVING: Final = ("show", "give", "bring", "teach", *_TELLING)
 _SIZES: Final = {
@@ -118,8 +119,10 @@ def _object(telling: Telling, name: str, verb: str) -> str:
     if term.literal is not None:
         return literally(term.literal)
     if term.kind == "act":
-        how = "how " if verb in _KNOWING else ""
-        return f"{how}to {deed(telling, name)}"
+        done = deed(telling, name)
+        if verb in _WISHING and " " not in done:  # "a rest"
+            return f"{article(done)} {done}"
+        return f"how to {done}" if verb in _KNOWING else f"to {done}"
     sought = linked(term, "loc")
     if sought and not term.lex:
         telling.stated.add(name)
