@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from typing import Final
 
 from grammars.alist import AList
+from grammars.approaching import approached
 from grammars.chains import (
     TURNING,
     bare_chain,
@@ -27,6 +28,8 @@ from grammars.mentions import (
     place_word,
 )
 from grammars.pacing import count, in_a_while, spaced, waited, whole
+from grammars.reporting import reported
+from grammars.several import gathered
 from grammars.sorts import classes
 from grammars.speaking import spoken
 from grammars.things import Things
@@ -62,7 +65,7 @@ class Build(Things):
             raise NoMeaningError("a thing in a place that is put nowhere")
         if action.slot("dir") == "for" and self._particle != "for":
             raise NoMeaningError(str(action))
-        if is_odd(action) or not is_used(action, verb, self.pattern):
+        if is_odd(action) or not is_used(action, verb, self.pattern, self.naming):
             raise NoMeaningError(str(action))
         particle, self._particle = self._particle, ""  # things may have verbs of their own
         links: dict[str, str] = {}
@@ -147,7 +150,7 @@ class Build(Things):
                 self.add("amt", literal=part.slot("num"), amt=act)
             elif part.name == "degrees_so" and not action.has("dest"):
                 degrees_so(self, act, part)
-            elif part.name in ("counting_up", "in_a_while", "degrees_so"):
+            elif part.name in ("counting_up", "in_a_while", "degrees_so", "up_close"):
                 raise NoMeaningError(str(action))  # together with something else, or as a trigger
             elif part.name == "the_other_way":
                 self.add("dir", OTHER_WAY, dir=act)
@@ -198,15 +201,17 @@ class Build(Things):
                 made += self.chain(spaced(again)).plays
             elif (delayed := in_a_while(part)) is not None:
                 made += self.chain(waited(delayed)).plays
+            elif part.name == "so_told":
+                made += self.chain(reported(made)).plays
             elif part.name == "play":
-                made += plays(self, part)
+                made += plays(self, approached(part))
             elif part.name == "chain":
                 made += self.chain(part).plays
             elif part.name == "elliptic" and part.has("barely"):  # "turn left then right"
                 made += self.chain(bare_chain(part)).plays
             elif part.name == "elliptic":  # "look on the bed, then under it"
                 made += self.chain(that_too(chain, part)).plays
-        return Chain(tuple(made))
+        return Chain(tuple(gathered(made)))
 
     def looked_up(self) -> list[Play]:
         """The look-ups that wait, as plays of their own; none waits any more."""

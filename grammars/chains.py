@@ -13,6 +13,7 @@ from grammars.errors import NoMeaningError
 from grammars.inquiries import inquired
 from grammars.mentions import somebody
 from grammars.pacing import HOLDING, TIMES, count, paced, whole
+from grammars.several import spread
 from grammars.sorts import HERE, is_nothing, usages
 from grammars.usage import is_odd_end, particles
 from grammars.vocabulary import BORN
@@ -27,6 +28,7 @@ if TYPE_CHECKING:
 P = TypeVar("P", Directive, Loop)
 TURNS: Final = frozenset(("left", "right", "clockwise", "counterclockwise", "around"))
 TURNING: Final = TURNERS | {"roll"}
+DOING: Final = ("action", "acting")
 LEAST_DEGREES: Final = 10  # nobody turns "right 3"
 FRACTIONS: Final = {"quarter": 0.25, "half": 0.5}
 LIFTS: Final = {"up": "raise", "down": "lower"}
@@ -49,6 +51,12 @@ def is_odd(action: AList) -> bool:
 
 def plays(build: Build, play: AList) -> list[Play]:
     """A play, and before it the look-ups it needs."""
+    play = AList(play.name, tuple(spread(build, p) if p.name in DOING else p for p in play))
+    if sum(part.has("every") for part in play) > 1:  # "raise the forks and close the doors"
+        apart = [build.chain(AList("chain", (AList("play", (part,)),))) for part in play]
+        return [
+            Play(tuple(part for chain in apart for one in chain.plays for part in one.required))
+        ]
     required: list[Part] = []
     beside: list[Part] = []
     for part in play:
@@ -64,7 +72,9 @@ def plays(build: Build, play: AList) -> list[Play]:
                 ) in HOLDING:  # so long as it holds it
                     raise NoMeaningError(str(part))
                 with build.drawing(pattern=False):
-                    required.append(Directive("DO", build.graphlet(build.action(doing))))
+                    required.append(
+                        Directive("DO", build.graphlet(build.action(spread(build, doing))))
+                    )
             case "inquiry" if (asked := part.find("who_where")) is not None:
                 found = AList("action", (AList("act", value="find"), somebody(asked.first("loc"))))
                 with build.drawing(pattern=False):

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Final
 
 from grammars.alist import AList
 from grammars.comparing import seen_from_robot
-from grammars.doings import doing, had
+from grammars.doings import doing, had, undergone
 from grammars.errors import NoMeaningError
 from grammars.manners import SO_MANY, how_many
 from grammars.relatives import predicate
@@ -54,6 +54,10 @@ def clause(build: Build, part: AList, subject: str = "", topical: bool = False) 
     if (ordered := part.find("ordered")) is not None:
         act = build.act_or_any(ordered.find("action"))
         return told(build, ordered.first("np"), act)
+    if (done := part.find("undergone")) is not None:
+        return undergone(build, part, done, negated)
+    if part.has("asking_me"):  # "without asking"
+        return build.add("act", "ask", agt=build.oneself("you"), dest=build.oneself("me"))
     if (failing := part.find("failing")) is not None:
         if (sensed := failing.find("action")) is not None and sensed.slot("act") in SENSED:
             act = build.action(sensed)  # "you can not see anything"
@@ -100,7 +104,9 @@ def clause(build: Build, part: AList, subject: str = "", topical: bool = False) 
         asked = build.thing(listener, person=True)
         verb = "tell" if part.has("tell") else "ask"
         return build.add("act", verb, agt=agent, dest=asked, negated=negated)
-    if part.slot("quote").lower() == "so" or (part.has("able") and not _is_sensing(part)):
+    if part.slot("quote").lower() == "so" or (
+        part.has("able") and not (build.telling or _is_sensing(part))
+    ):
         raise NoMeaningError(str(part))  # "unless I say so"
     if part.has("quote"):
         txt = build.add("txt", literal=part.slot("quote"))

@@ -9,7 +9,7 @@ from grammars.errors import NoMeaningError
 from grammars.mentions import VERB_SLOTS
 from grammars.sorts import is_abstract, kind, usages
 from grammars.timing import it_is, timed
-from grammars.usage import put_nowhere
+from grammars.usage import particles, put_nowhere
 from grammars.vocabulary import BORN
 
 if TYPE_CHECKING:
@@ -19,8 +19,12 @@ TOOLS: Final = ("drill", "ropes", "score")
 SIGHTS: Final = {
     f"{verb} sight of": verb[:1] == "l" for verb in ("catch", "catches", "lose", "loses")
 }
+ASKING_FOR: Final = ("asks for", "ask for")
 WISHES: Final = ("like", "want", "need", "prefer")
 PAST: Final = "past"
+ADDRESSING: Final = ("speak", "talk")
+BIDDEN: Final = {"asked": "ask", "told": "tell"}
+SPEAKING: Final = (*ADDRESSING, "tell", "ask")
 
 
 def doing(build: Build, part: AList, agent: str, objects: list[AList], negated: bool) -> str:
@@ -36,6 +40,8 @@ def doing(build: Build, part: AList, agent: str, objects: list[AList], negated: 
         raise NoMeaningError(str(part))
     if put_nowhere(verb, body, objects[0] if objects else None):
         raise NoMeaningError(str(part))
+    if verb in ASKING_FOR:
+        verb = "ask for"
     if verb in SIGHTS:  # "you lose sight of me"
         verb, negated = "see", negated or SIGHTS[verb]
     links: dict[str, str] = {"agt": agent}
@@ -73,6 +79,26 @@ def doing(build: Build, part: AList, agent: str, objects: list[AList], negated: 
             going.slot("gerund") or going.value or "",
             agt=links.get("obj", links.get("dest", "")),
         )
+    return act
+
+
+def undergone(build: Build, part: AList, done: AList, negated: bool) -> str:
+    """Draw what is done to somebody, by whom is said or not: "you are pushed", "the box is picked up by Tom"."""
+    thing = build.thing(part.first("np", "base_np"))
+    verb, said = BIDDEN.get(done.slot("act"), done.slot("act")), done.slot("dir")
+    if said:
+        if f"{verb} {said}" not in particles():
+            raise NoMeaningError(str(part))
+        verb, said = particles()[f"{verb} {said}"]
+    spoken = verb in SPEAKING
+    if done.has("to_one") != (verb in ADDRESSING) or (not spoken and "alone" in usages(verb)):
+        raise NoMeaningError(str(part))
+    links = {"dest" if spoken else "obj": thing}
+    if (doer := done.find("done_by_np")) is not None:
+        links["agt"] = build.thing(doer.first("np"))
+    act = build.add("act", verb, negated=negated or build.negative, **links)
+    if said:
+        build.add("dir", said, dir=act)
     return act
 
 

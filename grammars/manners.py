@@ -24,6 +24,7 @@ SO_MANY: Final = {
     "at_most": ("<", 1),
 }
 MORE_THAN_ONE: Final = "> 1"
+POINTING: Final = ("this", "that", "it")
 _LITTLE: Final = ("deg", "little")
 NOT_TOO: Final = {
     **dict.fromkeys(("far", "much", "high", "low", "long", "wide"), _LITTLE),
@@ -113,15 +114,30 @@ def manner(build: Things, act: str, said: AList) -> None:
     faster = said.find("faster")
     word = next((pace for name, pace in PACES.items() if said.has(name)), "")
     word = word or said.slot("adv") or said.value or ""
+    if louder := said.slot("adjer"):
+        word = BORN.readings(louder)["ADJER"]
     if faster is not None:
         word = faster.slot("adv") or faster.value or ""
         if "ADV" not in BORN.readings(word):  # "drive bigger"
             raise NoMeaningError(str(said))
     mod = build.add("mod", word, mod=act)
-    if faster is not None:
+    if faster is not None or louder:
         build.add("deg", "more", deg=mod)
+    if (paced := said.find("paced_as")) is not None:
+        build.sketch.link(mod, "than", _pacer(build, paced))
     for deg in said.all("deg"):
         build.add("deg", degree(deg.value or ""), deg=mod)
+
+
+def _pacer(build: Things, paced: AList) -> str:
+    """Node of what is no faster: "than Mary", "than you can see"."""
+    np = paced.first("np", "base_np")
+    if np.slot("pron") in POINTING:  # "faster than that" corrects
+        raise NoMeaningError(str(paced))
+    other = build.aside(np)
+    if does := next(filter(None, map(paced.slot, ("does", "state"))), ""):
+        return build.add("act", does, agt=other)
+    return other
 
 
 def resulting(build: Things, act: str, said: AList) -> None:

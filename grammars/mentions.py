@@ -9,6 +9,7 @@ from grammars.alist import AList
 from grammars.errors import NoMeaningError
 from grammars.morphology import gerund
 from grammars.sorts import (
+    EITHER,
     classes,
     is_abstract,
     is_bare,
@@ -163,8 +164,14 @@ def is_definite(np: AList) -> bool:
 
 def is_group(np: AList) -> bool:
     """The noun phrase is about several in particular: "the cups", "my shoes", "both boxes", "neither cup"."""
-    several = np.has("akos") and not np.has("one")
-    return (several and is_definite(np)) or np.slot("det") in GROUPING
+    several = np.has("akos") and not np.has("one") and not any(map(_picks_one, np.all("qual")))
+    one = np.slot("det") in (*EITHER, "one of")
+    return (several and is_definite(np) and not one) or np.slot("det") in GROUPING
+
+
+def _picks_one(qual: AList) -> bool:
+    """ "The biggest of the cups", "the second of my boxes"."""
+    return any(map(qual.has, ("more", "most", "most_of", "ord")))
 
 
 def is_person(np: AList) -> bool:
@@ -204,6 +211,8 @@ def is_addressed(verb: str, speech: AList) -> bool:
     if any(is_nothing(who) for who in (listener, np) if who is not None):
         return False
     every = None if hearer is None else hearer.find("every")
+    if np is not None and any(rel.has("seen_by") for rel in np.all("rel")):
+        return False  # "say to the children the bus leaves"
     if any(_is_at_home(rel) for who in (np, every) if who is not None for rel in who.all("rel")):
         return False
     if np is not None and is_said_to_persons(np):

@@ -10,7 +10,16 @@ from grammars.errors import NoMeaningError
 from grammars.mentions import PLACES, VERB_SLOTS, compounded, is_time
 from grammars.morphology import lemmas
 from grammars.pacing import TIMES
-from grammars.sorts import POSITIONS, is_attribute, is_bare, is_kind_of_it, kind, may_regard, usages
+from grammars.sorts import (
+    POSITIONS,
+    classes,
+    is_attribute,
+    is_bare,
+    is_kind_of_it,
+    kind,
+    may_regard,
+    usages,
+)
 from grammars.usage import PUTTING, TIMES_OF_DAY, particles
 
 if TYPE_CHECKING:
@@ -138,6 +147,10 @@ def predicate(build: Things, name: str, pred: AList, negated: bool) -> str:
         if about is not None and not _is_of_its_kind(build, name, pred, about):  # "afraid of dogs"
             build.place("loc", main, about)
         return main
+    if stuff := pred.slot("stuff_so"):
+        if stuff not in classes()["mass"]:
+            raise NoMeaningError(str(pred))
+        return build.kind(name, stuff, negated=negated)
     if (kindof := pred.find("kindof")) is not None:
         return kind_of(build, name, kindof, negated)
     if (loc := pred.find("loc")) is not None:

@@ -9,7 +9,7 @@ from grammars.errors import NoMeaningError
 from grammars.hedges import hedge_of
 from grammars.manners import NOT_TOO
 from grammars.mentions import EVERY, is_definite
-from grammars.sorts import HERE, NEARNESS, is_abstract, is_bare, kind
+from grammars.sorts import HERE, NEARNESS, classes, is_abstract, is_bare, kind
 from grammars.vocabulary import BORN, set_phrases
 
 # What somebody does without ever being at it; such a saying is no deed that could be watched.
@@ -20,7 +20,21 @@ YOURS: Final = MENTAL | set(
     "have belong work hold carry weigh wear obey trust listen eat drink speak cost play".split()
 )
 THIRD: Final = ("he", "she", "it", "they", "we")
-STANDING: Final = ("stand", "lie", "sit", "hang", "lean", "rest", "live", "wait", "sleep", "float")
+WHERE: Final = ("here", "there", "upstairs", "downstairs")
+FOND: Final = ("like", "love", "hate", "prefer", "fear")
+STANDING: Final = (
+    "work",
+    "stand",
+    "lie",
+    "sit",
+    "hang",
+    "lean",
+    "rest",
+    "live",
+    "wait",
+    "sleep",
+    "float",
+)
 IT: Final = ("it", "that", "this")
 POINTING: Final = ("the", "this", "that", "these", "those")
 LONGEST_QUOTE: Final = 6  # words somebody is told to have said; at more length it is gossip
@@ -86,7 +100,7 @@ def check_subject(said: AList) -> None:
     speaking = subject.slot("pron") in (("i", "me", "we") if _has_something(said) else ("i", "me"))
     if (
         generic
-        or (speaking and not _is_owning(said) and not _is_beside(said))
+        or (speaking and not any(told(said) for told in (_is_owning, _is_beside, _is_fond, _stays)))
         or _is_saying(said, subject)
     ):
         raise NoMeaningError(str(said))
@@ -107,6 +121,27 @@ def _is_beside(said: AList) -> bool:
     pred = said.find("pred") or said
     places = [np for loc in pred.all("loc") for np in loc.all("np")]
     return bool(places) and all(np.slot("pron") == "you" for np in places) and not pred.has("qual")
+
+
+def _is_fond(said: AList) -> bool:
+    """ "I like apples", "I don't like spiders": of a sort of thing that the robot has a word for."""
+    things = said.all("np", "base_np")[1:]
+    if said.slot("does") not in FOND or len(things) != 1:
+        return False
+    (of,) = things
+    mass = kind(of) in classes()["mass"]
+    told_apart = of.has("name") or of.has("rel") or of.has("own")
+    return (of.has("akos") or mass) and BORN.knows(kind(of)) and not (is_abstract(of) or told_apart)
+
+
+def _stays(said: AList) -> bool:
+    """ "I live here", "I work in the kitchen"."""
+    if said.slot("does") not in STANDING or len(said.all("np", "base_np")) > 1:
+        return False
+    places = [np for place in said.all("place") for loc in place.all("loc") for np in loc.all("np")]
+    here = any(way.value in WHERE for way in said.all("dir"))
+    seen = bool(places) and all(is_definite(np) and not is_abstract(np) for np in places)
+    return here != seen
 
 
 def _has_something(said: AList) -> bool:

@@ -57,6 +57,11 @@ def _some_so(some: AList) -> AList:
     return AList("clause", (AList("exists", (there,)),))
 
 
+def _most_so(most: AList) -> AList:
+    """ "Most of the cups are clean": the cups are, if not all."""
+    return AList("clause", most.parts)
+
+
 def _pointed_out(pointed_out: AList) -> AList:
     """ "That over there is a door"."""
     kindof = pointed_out.first("pred").first("kindof")
@@ -157,5 +162,6 @@ RESTATED: Final[dict[str, Callable[[AList], AList]]] = {
     "met": _introduced,
     "person_so": _person_so,
     "some_so": _some_so,
+    "most_so": _most_so,
     "served": _served,
 }

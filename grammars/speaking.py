@@ -25,6 +25,8 @@ def spoken(build: Build, speech: AList) -> str:
         if not is_addressed(verb, speech):
             raise NoMeaningError(str(speech))
         links["obj"] = build.add("txt", literal=quote.value or "")
+    elif speech.has("any_words"):  # "never say anything"
+        pass
     elif not is_person(asked := speech.first("listener")) and asked.slot("pron") != "me":
         raise NoMeaningError(str(speech))
     hearer = speech.find("hearer", "listener")

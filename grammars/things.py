@@ -51,6 +51,11 @@ from kernel.memory.recall import PERSONS
 from kernel.net.graphlet import Graphlet, Sketch, Term
 
 
+def _called(np: AList) -> str:
+    """Of what kind it is told to be: "room 7"."""
+    return " ".join(filter(None, (kind(np), np.slot("numbered"))))
+
+
 @dataclass
 class Things:
     """The drawing of one sentence: its things.
@@ -66,6 +71,7 @@ class Things:
         trigger: the pattern is what a deed is matched with: "somebody" may be anything there, as nobody need have
             said that Mary is a person before "greet Mary" greets somebody.
         claims: predicates of the conditions.
+        naming: a deed is named to tell how it is done.
         grasping: what is spoken of is taken in the hand.
         topic: subject of the sentence's first condition, or object of the deed that triggers.
     """
@@ -79,6 +85,7 @@ class Things:
     telling: bool = False
     trigger: bool = False
     topic: str = ""
+    naming: bool = False
     grasping: bool = False
     claims: set[str] = field(default_factory=set)
 
@@ -123,10 +130,7 @@ class Things:
             return self.oneself(SELF[pron])
         if pron:
             return self.pronoun(pron)
-        det, called = np.slot("det"), " ".join(filter(None, (kind(np), np.slot("numbered"))))
-        if (np.has("name") or det in ("the", "that", "this")) and (same := self._same(np, called)):
-            return same
-        return self._described(np, det, called, person)
+        return self.same(np) or self._described(np, np.slot("det"), _called(np), person)
 
     def aside(self, np: AList) -> str:
         """Node of a thing that tells where something is, or where to."""
@@ -160,13 +164,14 @@ class Things:
             self._mention(Thing(name, person=personal))
         return name
 
-    def _same(self, np: AList, kind: str) -> str | None:
+    def same(self, np: AList) -> str | None:
         """Earlier thing of this sentence that "the block" takes up again."""
         if called := np.slot("name"):
             return next((t.name for t in self.things if t.called == called), None)
-        if not kind or any(np.has(part) for part in ("qual", "rel", "own", "owner", "sub")):
+        again = _called(np) if np.slot("det") in ("the", "that", "this") else ""
+        if not again or any(np.has(part) for part in ("qual", "rel", "own", "owner", "sub")):
             return None
-        return next((t.name for t in reversed(self.things) if t.kind == kind), None)
+        return next((t.name for t in reversed(self.things) if t.kind == again), None)
 
     @contextmanager
     def _own_board(self, here: bool = False) -> Iterator[None]:
@@ -198,7 +203,7 @@ class Things:
             np.has("numbered") or is_superlative(np)
         ):  # "box two", "grab biggest block"
             ref = "the"
-        if self.telling and is_group(np):
+        if (self.telling or not self.pattern) and is_group(np):
             ref = det if det in SEVERAL else "they"
         ref = "every" if vague in EVERY else ref
         ref = "" if ref == "the" and of_owner else ref  # "the cup of Mary's brother" is his cup

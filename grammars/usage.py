@@ -66,19 +66,21 @@ def particles() -> dict[str, tuple[str, str]]:
     return table
 
 
-def is_used(action: AList, verb: str, pattern: bool) -> bool:
+def is_used(action: AList, verb: str, pattern: bool, naming: bool = False) -> bool:
     """People use the verb with what stands beside it.
 
     Args:
         action: the verb's bracket with all that belongs to it.
         verb: the verb with its particle, as in the net ("pick up").
         pattern: no order, but a deed that an order may be matched with.
+        naming: a deed that it is told how to do, whatever it is called: "to get somebody's attention".
     """
     uses, obj = usages(verb), action.find("np")
     every = action.find("every")
     if every is not None and not _takes_each(action, every, uses):
         return False
-    if obj is not None and not _takes(action, obj, uses, pattern):
+    named = naming and obj is not None and (is_abstract(obj) or is_people(obj))
+    if obj is not None and not named and not _takes(action, obj, uses, pattern):
         return False
     if not pattern and (_lacks(action, obj, uses) or _is_upon_nothing(action)):
         return False
@@ -104,6 +106,8 @@ def is_used(action: AList, verb: str, pattern: bool) -> bool:
         return False  # "show Mary where the hat is" shows its place
     if receiver is not None and not all(map(may_receive, receiver.all("np"))):
         return False
+    if receiver is not None and "favoring" in uses and receiver.first("np").slot("pron") == "it":
+        return False  # "make it two coffees"
     beside = [receiver, action.find("dest"), action.find("place")]
     bare = [np for part in beside if part is not None for np in part.walk() if np.name == "np"]
     if any(np.slot("pron") in NOMINATIVES for np in bare):
@@ -194,6 +198,8 @@ def _takes_each(action: AList, every: AList, uses: frozenset[str]) -> bool:
     before = {part.value for part in action.parts[: action.parts.index(every)]}
     if "steering" in uses and (before & WAYS):
         return False  # "turn left everything"
+    if is_said_to_persons(every):  # "take your seats"
+        return False
     handled = "telling" in uses or not is_abstract(every)
     return handled and "alone" not in uses and ("reciting" not in uses or is_recited(every))
 

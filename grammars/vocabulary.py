@@ -184,8 +184,8 @@ def from_policy(lessons: Iterable[Lesson]) -> Vocabulary:
                 for word in term.lex:
                     if " " not in word:
                         _teach(taught, word, term)
-                    elif term.kind == "act":
-                        _add(taught, word, "VERB", word)
+                    elif term.kind in ("act", "obj"):
+                        _add(taught, word, "VERB" if term.kind == "act" else "PROPER", word)
         if lesson.kind == "alias" and isinstance(lesson.content, Rule):
             _alias(taught, lesson.content)
     return Vocabulary(BORN.born, taught)

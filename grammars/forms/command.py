@@ -47,6 +47,8 @@ def command(alist: AList) -> Command:
     """A chain to be run at once. "Ask your doctor" is said to persons; a lesson may have such a step."""
     if any(part.name == "speech" and _is_advice(part) for part in alist.walk()):
         raise NoMeaningError("advice for a person")
+    if any(part.value == "think" for part in alist.walk() if part.name == "act"):
+        raise NoMeaningError("stop and think")
     build = Build()
     if (wished_for := alist.find("wished_for")) is not None:
         np, act = wished_for.parts

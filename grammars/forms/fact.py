@@ -10,7 +10,7 @@ from grammars.clauses import clause
 from grammars.comparing import regarding
 from grammars.dates import dated
 from grammars.happenings import happened
-from grammars.hedges import belief_of, hedge_of
+from grammars.hedges import belief, belief_of, hedge_of
 from grammars.mentions import EVERY, OWNING, is_definite, is_person, may_be_person
 from grammars.mutual import of_each
 from grammars.registry import sentence_form
@@ -71,6 +71,7 @@ def fact(alist: AList) -> Fact:
         with build.drawing(pattern=False):
             told = build.graphlet(dated(build, day))
         return Fact(told, tuple(build.finds))
+    mostly = alist.has("most_so")
     alist = restated(alist)
     said = _each_told(alist)
     for one in said:
@@ -82,7 +83,7 @@ def fact(alist: AList) -> Fact:
             raise NoMeaningError("small talk")  # "you are probably right"
     with build.drawing(pattern=False):
         mains = [clause(build, one) for one in said]
-        build.sketch.change(mains[0], belief=belief_of(said[0]))
+        build.sketch.change(mains[0], belief=belief("most") if mostly else belief_of(said[0]))
         if (denied := alist.find("denied_so", "also_so")) is not None:
             mains.append(_but(build, mains[0], denied))
         told = build.graphlet(mains[0])

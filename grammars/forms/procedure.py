@@ -54,7 +54,9 @@ def procedure(alist: AList) -> Teach:
             deed = alist.first("action", "gerunding")
             if any(np.slot("pron") == "you" for np in deed.all("np")):
                 raise NoMeaningError(str(deed))  # "to yodel you say ..."
+            build.naming = True
             act = build.action(deed)
+            build.naming = False
         trigger = Directive("DO", build.graphlet(act))
     return _taught(build, alist, trigger)
 

@@ -2,17 +2,21 @@
 
 from __future__ import annotations
 
+from typing import Final
+
 from grammars.alist import AList
 from grammars.build import Build, NoMeaningError
 from grammars.conditions import enablement, exception
 from grammars.registry import sentence_form
-from grammars.sorts import kind, usages
+from grammars.remarks import MENTAL
+from grammars.sorts import classes, kind, usages
 from grammars.timing import by_time
 from grammars.triggers import settled, taken_up
 from kernel.action.chain import Chain, Directive, Play
 from kernel.memory.lesson import Operator
 from kernel.memory.meaning import Teach
 
+INWARD: Final = MENTAL | set("trust obey understand have lose win cost fit hope".split())
 EXAMPLES = (
     "Never touch my sneakers!",
     "You should never grab a person but instead say I'm not allowed to.",
@@ -36,6 +40,8 @@ def prohibition(alist: AList) -> Teach:
     first = next(part.name for part in alist if part.name in deeds)
     before = enablement(build, alist) if first == "conds" else ()
     deed, times = by_time(build, _done(alist))
+    if deed.slot("act") in INWARD:
+        raise NoMeaningError("a state of mind")
     with build.drawing(pattern=True, trigger=True):
         trigger = build.graphlet(
             build.add("act", dest=build.aside(deed))
@@ -78,6 +84,8 @@ def _done(alist: AList) -> AList:
         if not kind(touched) and "taking" not in usages(single.slot("act")):
             raise NoMeaningError(str(single))  # "fear nothing"
         return AList("action", single.parts)
+    if alist.has("off") and kind(alist.first("np")) in classes()["rooms"]:
+        raise NoMeaningError("it is left for another")  # "leave the kitchen unless I say stay"
     if (verb := alist.find("done_to", "none_to")) is None and not alist.has("off"):
         return alist.first("action", "gerunding")
     np = alist.first("np")

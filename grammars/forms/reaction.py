@@ -7,11 +7,11 @@ from typing import Final
 from grammars.alist import AList
 from grammars.build import Build, NoMeaningError
 from grammars.conditions import condition, exception
+from grammars.denying import denied
 from grammars.hedges import preference
 from grammars.pacing import HOLDING
 from grammars.registry import sentence_form
-from grammars.render.clauses import conditions
-from grammars.render.telling import Telling
+from grammars.reporting import so_told
 from kernel.action.chain import Directive
 from kernel.memory.lesson import Operator
 from kernel.memory.meaning import Teach
@@ -38,8 +38,9 @@ EXAMPLES = (
 def reaction(alist: AList) -> Teach:
     """An operator on NOTE with all conditions in its trigger."""
     build = Build()
-    if not (conds := alist.all("conds")):
-        raise NoMeaningError("a reaction to the absence of something")
+    if not alist.has("conds"):
+        alist = _contrary(alist)
+    conds = alist.all("conds")
     if alist.parts[0].name == "chain" and _asks_nothing(alist.parts[0]):
         raise NoMeaningError("what follows is the question")
     trigger = condition(build, conds[0] if len(conds) == 1 else AList("conds", tuple(conds)))
@@ -48,7 +49,7 @@ def reaction(alist: AList) -> Teach:
         raise NoMeaningError("comes close")
     if said is not None and _is_way(build, trigger, said):
         raise NoMeaningError("a way of doing it")
-    chain = build.chain(said or _so_told(trigger))
+    chain = build.chain(said or so_told(trigger))
     return Teach(
         "reaction",
         Operator(
@@ -58,6 +59,15 @@ def reaction(alist: AList) -> Teach:
             preference=preference(alist.slot("pref")),
         ),
     )
+
+
+def _contrary(alist: AList) -> AList:
+    """ "Turn left unless the light is red": if it is not red."""
+    out = alist.first("exception")
+    if out.has("exception"):
+        raise NoMeaningError(str(alist))
+    rest = tuple(part for part in alist if part is not out)
+    return AList(alist.name, (denied(out.first("conds")), *rest))
 
 
 def _is_way(build: Build, trigger: Graphlet, chain: AList) -> bool:
@@ -84,10 +94,3 @@ def _asks_nothing(chain: AList) -> bool:
     return any(
         speech.has("ask") and not (speech.has("quote") or speech.has("asked_if")) for speech in last
     )
-
-
-def _so_told(trigger: Graphlet) -> AList:
-    """What the robot says to tell that this is so: "I see a spider"."""
-    so = conditions(Telling((trigger,), (), "robot"), trigger)
-    action = AList("action", (AList("speech", (AList("say"), AList("quote", value=so))),))
-    return AList("chain", (AList("play", (action,)),))

@@ -12,7 +12,7 @@ from grammars.alist import AList
 from grammars.build import Build, NoMeaningError
 from grammars.clauses import told
 from grammars.conditions import exception
-from grammars.mentions import PERSONAL, is_person, may_be_person
+from grammars.mentions import PERSONAL, US, is_person, may_be_person
 from grammars.registry import sentence_form
 from kernel.action.chain import Chain, Directive, Play
 from kernel.memory.lesson import LEARN, Operator
@@ -45,7 +45,9 @@ def trust(alist: AList) -> Teach:
     speaker = speaker or alist.first("np", "base_np")
     if speaker.slot("pron") in PERSONAL and (named := alist.find("np")) is not None:
         speaker = named  # "ignore Tom when he tells you to grab it"
-    if not is_person(speaker) and (alist.has("heed") or not may_be_person(speaker)):
+    if not (is_person(speaker) or speaker.slot("pron") in US) and (
+        alist.has("heed") or not may_be_person(speaker)
+    ):
         raise NoMeaningError("nobody who could give orders")
     with build.drawing(pattern=True, trigger=True):
         if alist.has("teach"):

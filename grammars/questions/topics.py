@@ -61,6 +61,8 @@ def of_topic(build: Build, body: AList) -> Question:
     action = body.find("action")
     if topic == "know_how" and action is not None and action.slot("act") in MENTAL:
         raise NoMeaningError("how do you like your eggs")
+    if body.name == "what_made" and action is not None and action.slot("act") == "think":
+        raise NoMeaningError("what makes you think")
     if body.has("any_happens"):
         ask = "yesno"
     chain = body.find("chain")

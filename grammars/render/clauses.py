@@ -5,9 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import dataclass, replace
 
+from grammars.doings import ADDRESSING
 from grammars.earley import closed_words
 from grammars.mentions import WOMEN
-from grammars.morphology import gerund, past, third_person
+from grammars.morphology import gerund, participle, past, third_person
 from grammars.render.complements import COMPLEMENTS, as_quality, kind_denied, not_such
 from grammars.render.counting import there_are
 from grammars.render.deeds import be, deed
@@ -130,6 +131,8 @@ def _describes(graphlet: Graphlet, name: str) -> bool:
 
 def _doing(telling: Telling, term: Term, adverb: str) -> Clause:
     agent = linked(term, "agt")
+    if not agent and (linked(term, "obj") or linked(term, "dest")):
+        return _undergone(telling, term)
     third = not telling.several(agent)
     subject = _subject(telling, agent, term.negated) if agent else "something"
     if subject == "they" and third:  # rules want the singular verb: "he likely speaks Portuguese"
@@ -150,6 +153,19 @@ def _doing(telling: Telling, term: Term, adverb: str) -> Clause:
         return Clause(subject, verb, f"{adverb}{verb} not {done}", f"{adverb}not {done}")
     stated = past(done) if tense or "teach" in term.lex else third_person(done) if third else done
     return Clause(subject, verb, adverb + stated, adverb + done)
+
+
+def _undergone(telling: Telling, term: Term) -> Clause:
+    """ "You are pushed", "you are spoken to": by whom is not told."""
+    name = linked(term, "obj") or linked(term, "dest")
+    subject = _subject(telling, name, term.negated)
+    verb = "are" if telling.several(name) else be(subject)
+    head, _, particle = word(term).partition(" ")
+    ways = [word(way) for way in telling.take(term.name, "dir")]
+    to = "to" if head in ADDRESSING else ""
+    denied = "not" if term.negated and subject not in NOBODY else ""
+    rest = " ".join(filter(None, (denied, participle(head), particle, *ways, to)))
+    return Clause(subject, verb, f"{verb} {rest}", rest)
 
 
 def _is_known(verb: str) -> bool:

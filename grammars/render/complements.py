@@ -33,7 +33,7 @@ def _such(telling: Telling, name: str, whose: str, phrase: str, after: str = "")
     """What a thing, or several, are: "a big dog", "my brother", "twins"."""
     several = telling.several(name)
     noun = plural(phrase) if several else phrase
-    own = whose or ("" if several else article(noun))
+    own = whose or ("" if several or noun in classes()["mass"] else article(noun))
     return " ".join(filter(None, (own, noun, after)))
 
 

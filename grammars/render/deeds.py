@@ -27,7 +27,8 @@ _SENSING: Final = ("see", "hear", "watch", "notice", "feel")
 _TELLING: Final = ("tell", "ask")
 _WISHING: Final = ("want", "need")
 _KNOWING: Final = ("know", "remember", "learn", "forget")
-_GIVING: Final = ("show", "give", "bring", "teach", *_TELLING)
+_TAUGHT: Final = (*_TELLING, "teach")
+_GIVING: Final = ("show", "give", "bring")
 _SIZES: Final = {
     "little": "a little",
     "fully": "all the way",
@@ -89,8 +90,10 @@ def _arguments(telling: Telling, term: Term, told: bool) -> list[str]:
     obj, dest, cmd = (linked(term, role) for role in ("obj", "dest", "cmd"))
     parts = []
     itself = not told and obj and telling.term(obj).lex == {"you"}
+    silent = word(term) == "say" and not obj
     what = _YOURSELF[telling.voice] if itself else _object(telling, obj, word(term)) if obj else ""
-    if dest and word(term) in ((*_TELLING, "teach") if told else _GIVING):
+    what = "anything" if silent else what
+    if dest and (word(term) in _TAUGHT or (not told and _is_given(telling, term))):
         parts += [thing(telling, dest), what]
     else:
         ways = [
@@ -102,15 +105,23 @@ def _arguments(telling: Telling, term: Term, told: bool) -> list[str]:
             way for way in ways if what and word(term) in (*_GOING, "look") and way in _LEADING
         ]
         parts += [*leading, what, *(way for way in ways if way not in leading)]
-        parts += [f"to {thing(telling, dest)}" if dest else ""]
+        back = [how for how in telling.about(term.name, "mod") if dest and word(how) == "back"]
+        telling.hold_back(back)
+        parts += [f"{'back ' if back else ''}to {thing(telling, dest)}" if dest else ""]
     if obj and word(term) in _SENSING:
         parts += [deed(telling, seen.name, "gerund") for seen in telling.about(obj, "agt")]
     if cmd:
-        parts.append(("to " if word(term) in _GIVING else "") + deed(telling, cmd))
+        parts.append(("to " if word(term) in _TAUGHT else "") + deed(telling, cmd))
     for role, other in term.links:
         if role not in _KNOWN_ROLES:
             parts.append(f"{role} {thing(telling, other)}")
     return [part for part in parts if part]
+
+
+def _is_given(telling: Telling, term: Term) -> bool:
+    """ "Bring Mary the cup", "sing me a song"."""
+    mine = not telling.term(linked(term, "dest")).lex.isdisjoint(("me", "you"))
+    return word(term) in _GIVING or (mine and "GIVE" in BORN.readings(word(term)))
 
 
 def _object(telling: Telling, name: str, verb: str) -> str:
@@ -127,7 +138,7 @@ def _object(telling: Telling, name: str, verb: str) -> str:
     if sought and not term.lex:
         telling.stated.add(name)
         subject = thing(telling, sought, "subject")
-        return f"where {subject} {be(subject)}"
+        return f"where {subject} {'are' if telling.several(sought) else be(subject)}"
     return thing(telling, name)
 
 
@@ -150,7 +161,17 @@ def _manner(telling: Telling, how: Term) -> str:
     """ "Very slowly", "faster"."""
     said = degree(telling, how.name)
     flat = said == "more " and "ADJ" in BORN.readings(word(how))
-    return comparative(word(how)) if flat else said + word(how)
+    paced = f" than {_pacer(telling, linked(how, 'than'))}" if linked(how, "than") else ""
+    return (comparative(word(how)) if flat else said + word(how)) + paced
+
+
+def _pacer(telling: Telling, name: str) -> str:
+    """ "Than Mary", "than you can see"."""
+    term = telling.term(name)
+    if term.kind != "act":
+        return thing(telling, name)
+    telling.stated.add(name)
+    return f"{thing(telling, linked(term, 'agt'), 'subject')} can {word(term)}"
 
 
 def _times(number: str) -> str:

@@ -16,6 +16,8 @@ from grammars.render.things import thing
 from kernel.memory.lesson import Operator, Rule
 from kernel.net.graphlet import Graphlet, Term
 
+# By what a deed is narrowed down, in the order of forms/permission.py.
+NARROWING: Final = ("mod", "amt", "cnt", "loc", "dest", "obj", "dir")
 CHOOSING: Final = ("DO", "FIND", "CHK", "ACH")  # of several operators one is chosen
 _HEDGES: Final = {value: words for words, value in reversed(BELIEF.items())} | {1.0: ""}
 
@@ -32,6 +34,8 @@ def taught(contents: tuple[Operator | Rule, ...], voice: Voice) -> str:
         for content in contents
     ]
     first, *others = said
+    if len(contents) == 2 and _is_only(*contents):
+        return str(replace(first, lead=f"{first.lead} only"))
     if others and first.lead not in {one.lead for one in others}:
         # "you may touch this, but never that"
         return ", but ".join(map(str, said))
@@ -64,6 +68,38 @@ def _is_contrary(one: Operator | Rule, other: Operator | Rule) -> bool:
         return False
     turned = replace(so.head, negated=not so.head.negated)
     return {turned if term is so.head else term for term in so} == set(not_so)
+
+
+def _is_only(one: Operator | Rule, other: Operator | Rule) -> bool:
+    """The second forbids what the first allows in general: "you may only touch the red block"."""
+    if not (isinstance(one, Operator) and isinstance(other, Operator)):
+        return False
+    may, never = one.trigger.graphlet, other.trigger.graphlet
+    if (one.trigger.tag, other.trigger.tag) != ("ALLOW", "ANTE") or may is None or never is None:
+        return False
+    if other.enablement or other.unless or len(other.chain.plays) > 1:
+        return False
+    narrow = next((role for role in NARROWING if _narrowed(may, role)), "")
+    left = [role for role in NARROWING if role != narrow]
+    same = all(_narrowed(may, role) == _narrowed(never, role) for role in left)
+    return bool(narrow) and same and _words(may) == _words(never) and not _narrowed(never, narrow)
+
+
+def _words(graphlet: Graphlet) -> frozenset[str]:
+    """Of the deed."""
+    return graphlet.head.lex if graphlet.head is not None else frozenset()
+
+
+def _narrowed(graphlet: Graphlet, role: str) -> list[str]:
+    """What a deed is narrowed down by in that role, in the words that tell of it."""
+    if role in ("obj", "dest"):
+        name = linked(graphlet.head, role) if graphlet.head is not None else ""
+        return sorted(
+            word(t)
+            for t in graphlet
+            if name and name in {t.name, *dict(t.links).values()} and t.name != graphlet.main
+        )
+    return sorted(word(t) for t in graphlet if linked(t, role) == graphlet.main)
 
 
 def _without_lead(rest: str) -> str:
@@ -121,6 +157,8 @@ def fact(content: Graphlet, finds: tuple[Graphlet, ...], voice: Voice) -> str:
     if main and not is_predicate(main):
         return str(naming(Telling(finds, (content,), voice), main, told=True))
     telling = Telling(finds, (content,), voice)
+    if belief == BELIEF["most"] and any(map(telling.several, subjects)):
+        return f"most of {conditions(telling, content)}"
     return conditions(
         telling, content, "possibly" if belief == BELIEF["possibly"] else hedge(belief)
     )

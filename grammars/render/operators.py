@@ -52,6 +52,11 @@ def worded(content: Operator, voice: Voice) -> Wording:
             return _prohibition(telling, content)
         case "ALLOW" if (cause := _teller(content)) is not None:
             return Wording("", _may_tell(telling, [cause], content), "", "")
+        case "ALLOW" if _leads_there(telling, content):
+            are = "I am" if voice == "robot" else "you are"
+            near = thing(telling, linked(telling.term(_main(content)), "dest"))
+            given = _enabled(telling, content)
+            return Wording(f"{are} allowed near", near, given, _except(telling, content))
         case "ALLOW":
             may = deed(telling, _main(content))
             given = _enabled(telling, content)
@@ -210,10 +215,16 @@ def _kept_from(telling: Telling, content: Operator) -> tuple[str, str]:
     """ "Never touch the stove"; "keep away from the stairs" where it is any deed that leads there."""
     robot = telling.voice == "robot"
     act = telling.term(_main(content))
-    if not act.lex and [role for role, _ in act.links] == ["dest"]:
+    if _leads_there(telling, content):
         away = thing(telling, linked(act, "dest"))
         return f"{'I will ' if robot else ''}keep away from", away
     return "I will never" if robot else "never", deed(telling, act.name)
+
+
+def _leads_there(telling: Telling, content: Operator) -> bool:
+    """It is any deed that leads to something."""
+    act = telling.term(_main(content))
+    return not act.lex and [role for role, _ in act.links] == ["dest"]
 
 
 def _tells(term: Term, content: Operator) -> bool:

@@ -236,7 +236,10 @@ def _first(telling: Telling, term: Term) -> str:
         vague = {"somebody": "somebody", "every": "everything"}.get(ref, "something")
         return " ".join(filter(None, (vague, before, after)))
     several = (bool(numbers) and counts != [MORE_THAN_ONE]) or ref in GROUPS
+    several = several or bool(whose and ref == "each")
     phrase = " ".join(filter(None, (*numbers, before, plural(noun) if several else noun, after)))
+    if whose and ref == "each":
+        return f"each of {whose} {phrase}"
     if whose:
         return f"{whose} {phrase}"
     if ref == "one":
