@@ -21,6 +21,7 @@ from grammars.chains import (
     turns,
 )
 from grammars.errors import NoMeaningError
+from grammars.how_done import is_odd_manner
 from grammars.manners import SIZES, bounded, limited, manner, not_too, resulting, unit_of
 from grammars.mentions import (
     but,
@@ -33,7 +34,7 @@ from grammars.several import gathered
 from grammars.sorts import classes
 from grammars.speaking import spoken
 from grammars.things import Things
-from grammars.usage import is_odd_manner, is_used, particles, put_nowhere
+from grammars.usage import is_used, particles, put_nowhere
 from kernel.action.chain import Chain, Directive, Play
 from kernel.memory.editing import OTHER_WAY
 from kernel.net.graphlet import Graphlet

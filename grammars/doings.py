@@ -21,6 +21,7 @@ SIGHTS: Final = {
 }
 ASKING_FOR: Final = ("asks for", "ask for")
 WISHES: Final = ("like", "want", "need", "prefer")
+BACK: Final = {"backward": "back", "forward": "ahead"}
 PAST: Final = "past"
 ADDRESSING: Final = ("speak", "talk")
 BIDDEN: Final = {"asked": "ask", "told": "tell"}
@@ -44,6 +45,7 @@ def doing(build: Build, part: AList, agent: str, objects: list[AList], negated: 
         verb = "ask for"
     if verb in SIGHTS:  # "you lose sight of me"
         verb, negated = "see", negated or SIGHTS[verb]
+    verb, way, body = _with_particle(verb, body)
     links: dict[str, str] = {"agt": agent}
     if verb in WISHES and not objects and not body.has("dest"):  # "whenever you like"
         raise NoMeaningError(str(part))
@@ -69,11 +71,13 @@ def doing(build: Build, part: AList, agent: str, objects: list[AList], negated: 
     act = build.add("act", verb, negated=negated or build.negative, **links)
     rest, times = timed(body) if build.pattern and not build.trigger else (body, [])
     build.modifiers(act, rest)
+    if way:
+        build.add("dir", way, dir=act)
     for time in times:
         it_is(build, time)
-    if body is part and part.has("num"):  # "the clock strikes twelve"
+    if part.has("does") and part.has("num"):  # "the clock strikes twelve"
         build.add("amt", literal=part.slot("num"), amt=act)
-    if going is not None and body is part and objects:
+    if going is not None and part.has("does") and objects:
         build.add(
             "act",
             going.slot("gerund") or going.value or "",
@@ -82,8 +86,23 @@ def doing(build: Build, part: AList, agent: str, objects: list[AList], negated: 
     return act
 
 
+def _with_particle(verb: str, body: AList) -> tuple[str, str, AList]:
+    """The verb, the direction that is part of it, and the bracket without what is said so: "Tom picks up the box"."""
+    for at, part in enumerate(body):
+        if part.name != "dir":
+            continue
+        known = particles().get(f"{verb} {BACK.get(part.value or '', part.value)}")
+        if known is not None:
+            return (*known, AList(body.name, (*body.parts[:at], *body.parts[at + 1 :]), body.value))
+        if [after.name for after in body.parts[at + 1 : at + 2]] == ["np"]:
+            raise NoMeaningError(str(body))  # "looks up the stairs"
+    return verb, "", body
+
+
 def undergone(build: Build, part: AList, done: AList, negated: bool) -> str:
     """Draw what is done to somebody, by whom is said or not: "you are pushed", "the box is picked up by Tom"."""
+    doer = done.find("done_by_np")
+    links = {} if doer is None else {"agt": build.thing(doer.first("np"))}
     thing = build.thing(part.first("np", "base_np"))
     verb, said = BIDDEN.get(done.slot("act"), done.slot("act")), done.slot("dir")
     if said:
@@ -93,9 +112,7 @@ def undergone(build: Build, part: AList, done: AList, negated: bool) -> str:
     spoken = verb in SPEAKING
     if done.has("to_one") != (verb in ADDRESSING) or (not spoken and "alone" in usages(verb)):
         raise NoMeaningError(str(part))
-    links = {"dest" if spoken else "obj": thing}
-    if (doer := done.find("done_by_np")) is not None:
-        links["agt"] = build.thing(doer.first("np"))
+    links["dest" if spoken else "obj"] = thing
     act = build.add("act", verb, negated=negated or build.negative, **links)
     if said:
         build.add("dir", said, dir=act)

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Final
 
 from grammars.alist import AList
 from grammars.mentions import is_group
-from grammars.sorts import classes, is_nothing, kind, usages
+from grammars.sorts import agrees, classes, is_nothing, kind, usages
 from kernel.action.chain import Chain, Loop, Play
 
 if TYPE_CHECKING:
@@ -42,7 +42,7 @@ def _heard(speech: AList) -> AList:
 
 
 def _is_several(np: AList) -> bool:
-    return is_group(np) and np.has("akos") and not is_nothing(np)
+    return is_group(np) and np.has("akos") and agrees(np) and not is_nothing(np)
 
 
 def _each(np: AList) -> AList:

@@ -8,10 +8,10 @@ is in no class, and so every verb that is taught, is used in any way.
 from __future__ import annotations
 
 from functools import cache
-from itertools import takewhile
 from typing import Final
 
 from grammars.alist import AList
+from grammars.how_done import is_odd_manner, is_untimely
 from grammars.sorts import (
     HERE,
     POSITIONS,
@@ -40,7 +40,6 @@ BEHIND: Final = frozenset(
 WORKED: Final = POSITIONS | HERE
 SINGLE: Final = ("hand", "arm", "claw")  # of which the robot has one
 MOST_QUALITIES: Final = 2  # of a thing without an article
-MOST_MANNERS: Final = 2
 ONCE: Final = ("cnt", "size", "amt", "dest")  # an action has one of each
 TIMES_OF_DAY: Final = frozenset(
     "noon midnight night morning evening afternoon dawn dusk sunset nightfall summer winter autumn".split()
@@ -90,7 +89,7 @@ def is_used(action: AList, verb: str, pattern: bool, naming: bool = False) -> bo
         return False
     if "whole" in uses and (action.has("size") or action.has("amt")):
         return False
-    if any(len(action.all(part)) > 1 for part in ONCE) or _is_untimely(action, uses):
+    if any(len(action.all(part)) > 1 for part in ONCE) or is_untimely(action, uses):
         return False
     if action.has("size") and any(not amt.has("num") for amt in action.all("amt")):
         return False  # "back up a little an hour"
@@ -104,10 +103,8 @@ def is_used(action: AList, verb: str, pattern: bool, naming: bool = False) -> bo
     told = "informing" in uses or "GIVE" in BORN.readings(verb)
     if dest is not None and dest.has("whither") and told:
         return False  # "show Mary where the hat is" shows its place
-    if receiver is not None and not all(map(may_receive, receiver.all("np"))):
+    if receiver is not None and not _may_get(receiver.first("np"), uses):
         return False
-    if receiver is not None and "favoring" in uses and receiver.first("np").slot("pron") == "it":
-        return False  # "make it two coffees"
     beside = [receiver, action.find("dest"), action.find("place")]
     bare = [np for part in beside if part is not None for np in part.walk() if np.name == "np"]
     if any(np.slot("pron") in NOMINATIVES for np in bare):
@@ -117,6 +114,11 @@ def is_used(action: AList, verb: str, pattern: bool, naming: bool = False) -> bo
     if "steering" in uses and any(map(_is_around_some, action.all("place"))):
         return False
     return pattern or all(map(_is_short, bare))
+
+
+def _may_get(np: AList, uses: frozenset[str]) -> bool:
+    """Nobody does something for it: "make it two coffees"."""
+    return may_receive(np) and not ("favoring" in uses and np.slot("pron") == "it")
 
 
 def put_nowhere(verb: str, said: AList, thing: AList | None) -> bool:
@@ -163,34 +165,6 @@ def _lacks(action: AList, obj: AList | None, uses: frozenset[str]) -> bool:
         for sort, part in (("taking", "place"), ("taking", "dest"), ("aimless", "dir"))
     )
     return (lacking and not said) or ("making" in uses and making)
-
-
-def is_odd_manner(action: AList, obj: AList | None) -> bool:
-    """Nobody says so how: "hard make books", "quicker face arm", "water the shed wider"."""
-    if len(action.all("manner")) > MOST_MANNERS:
-        return True
-    before = takewhile(lambda part: part.name not in ("act", "speech"), action.parts)
-    first = [how for how in map(_how, before) if "ADJ" in BORN.readings(how)]
-    if not classes()["urged"].issuperset(first) or (first and obj is not None and is_bare(obj)):
-        return True
-    hows = set(map(_how, action.all("manner")))
-    if hows & classes()["swift"] and hows & classes()["unhurried"]:
-        return True
-    wider = "wide" in hows or action.slot("size").endswith("wider")
-    uses = usages(action.slot("act"))
-    return wider and "still" in uses and "widened" not in uses
-
-
-def _how(manner: AList) -> str:
-    """The adverb of a manner; of "faster" it is "fast"."""
-    said = manner.find("faster") or manner
-    return said.slot("adv") or (said.value if said is not manner else "") or ""
-
-
-def _is_untimely(action: AList, uses: frozenset[str]) -> bool:
-    """ "See it slower", "stop faster": what is done all or not at all takes no time."""
-    at_once = not uses.isdisjoint(("sensing", "halting"))
-    return at_once and any(m.has("faster") for m in action.all("manner"))
 
 
 def _takes_each(action: AList, every: AList, uses: frozenset[str]) -> bool:

@@ -12,6 +12,7 @@ from grammars.remarks import MENTAL
 from grammars.sorts import classes, kind, usages
 from grammars.timing import by_time
 from grammars.triggers import settled, taken_up
+from grammars.vocabulary import BORN
 from kernel.action.chain import Chain, Directive, Play
 from kernel.memory.lesson import Operator
 from kernel.memory.meaning import Teach
@@ -40,8 +41,8 @@ def prohibition(alist: AList) -> Teach:
     first = next(part.name for part in alist if part.name in deeds)
     before = enablement(build, alist) if first == "conds" else ()
     deed, times = by_time(build, _done(alist))
-    if deed.slot("act") in INWARD:
-        raise NoMeaningError("a state of mind")
+    if deed.slot("act") in INWARD or _is_proverb(deed):
+        raise NoMeaningError(str(deed))
     with build.drawing(pattern=True, trigger=True):
         trigger = build.graphlet(
             build.add("act", dest=build.aside(deed))
@@ -62,6 +63,12 @@ def prohibition(alist: AList) -> Teach:
         unless=exception(build, alist),
     )
     return Teach("prohibition", operator, _but_may(build, alist, operator))
+
+
+def _is_proverb(deed: AList) -> bool:
+    """ "Never bite the hand that feeds you"."""
+    things = deed.all("np") if "VERB" not in BORN.readings(deed.slot("act")) else []
+    return any(rel.has("habit_s") for np in things for rel in np.all("rel"))
 
 
 def _but_may(build: Build, alist: AList, banned: Operator) -> tuple[Operator, ...]:

@@ -5,8 +5,9 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Final, Literal
 
-from grammars.morphology import article, comparative, gerund, past, third_person
+from grammars.morphology import article, comparative, gerund, past, plural, third_person
 from grammars.pacing import TIMES
+from grammars.remarks import FOND
 from grammars.render.names import literally
 from grammars.render.qualities import degree, measured
 from grammars.render.telling import Telling, linked, word
@@ -139,7 +140,9 @@ def _object(telling: Telling, name: str, verb: str) -> str:
         telling.stated.add(name)
         subject = thing(telling, sought, "subject")
         return f"where {subject} {'are' if telling.several(sought) else be(subject)}"
-    return thing(telling, name)
+    said = thing(telling, name)
+    det, _, sort = said.partition(" ")
+    return plural(sort) if verb in FOND and det in ("a", "an") else said  # "likes apples"
 
 
 def _modifiers(telling: Telling, term: Term) -> list[str]:

@@ -13,6 +13,7 @@ from grammars.render.clauses import conditions, naming
 from grammars.render.operators import Wording, ways_out, worded
 from grammars.render.telling import SAYING, Telling, Voice, is_predicate, linked, word
 from grammars.render.things import thing
+from grammars.vocabulary import BORN
 from kernel.memory.lesson import Operator, Rule
 from kernel.net.graphlet import Graphlet, Term
 
@@ -113,7 +114,9 @@ def _without_lead(rest: str) -> str:
 def _rule(content: Rule, voice: Voice) -> Wording:
     condition, conclusion = content.condition, content.conclusion
     if content.is_alias:
-        return Wording("", f"{word(condition.terms[0])} means", "", f" {word(conclusion.terms[0])}")
+        meant = word(conclusion.terms[0])
+        the = "the " if " " in meant and "NOUN" in BORN.readings(meant.rpartition(" ")[2]) else ""
+        return Wording("", f"{word(condition.terms[0])} means", "", f" {the}{meant}")
     telling = Telling((condition,), (conclusion, *content.unless), voice)
     about = conditions(telling, condition)
     said = conditions(telling, conclusion, hedge(content.belief))

@@ -7,8 +7,8 @@ from dataclasses import replace
 
 from grammars.render.clauses import conditions
 from grammars.render.deeds import VerbForm, deed
-from grammars.render.qualities import quality
-from grammars.render.telling import Telling, is_predicate, linked
+from grammars.render.qualities import measured, quality
+from grammars.render.telling import Telling, is_predicate, linked, word
 from grammars.render.things import thing
 from grammars.render.wondering import wonder, wonders
 from kernel.action.chain import Chain, Directive, Loop, Part, Play
@@ -170,6 +170,8 @@ def _or_until(loop: Loop) -> Part | None:
 
 def _loop(telling: Telling, loop: Loop) -> str:
     """ "Repeat turn left then turn right 3 times"; one play alone needs no "repeat" before "until" and "while"."""
+    if (near := _approach(telling, loop)) is not None:
+        return near
     if loop.until is not None and (inner := _or_until(loop)) is not None:
         return f"{_part(telling, inner, 'base', set())} or {conditions(telling, loop.until)}"
     if loop.each is not None:
@@ -194,6 +196,27 @@ def _loop(telling: Telling, loop: Loop) -> str:
     if loop.whilst is not None:
         body += f" while {conditions(telling, loop.whilst)}"
     return body
+
+
+def _approach(telling: Telling, loop: Loop) -> str | None:
+    """ "Drive to within 1 foot of the wall"."""
+    until = loop.until.head if loop.until is not None else None
+    if until is None or word(until) != "close" or not _plain(loop.body) or until.negated:
+        return None
+    (step,) = loop.body.plays[0].required[:1]
+    act = (
+        telling.term(step.graphlet.main) if isinstance(step, Directive) and step.graphlet else None
+    )
+    landmark = linked(until, "hq")
+    if act is None or linked(act, "dest") != landmark or len(loop.body.plays[0].required) > 1:
+        return None
+    amounts = telling.about(until.name, "amt")
+    if len(amounts) != 1 or not telling.about(until.name, "deg") or telling.about(act.name, "amt"):
+        return None
+    said = deed(telling, act.name)
+    telling.hold_back([until, *amounts, *telling.about(until.name, "deg")])
+    near = measured(amounts[0].literal or "1", word(amounts[0]))
+    return said.replace(" to ", f" to within {near} of ", 1)
 
 
 def _plain(chain: Chain) -> bool:
