@@ -23,6 +23,7 @@ from kernel.memory.editing import (
     altered,
     has_step,
     keeping,
+    meant,
     with_more,
     with_other_end,
     with_other_step,
@@ -31,6 +32,7 @@ from kernel.memory.editing import (
 from kernel.memory.lesson import INNATE, LEARNING, Lesson, Operator
 from kernel.memory.likeness import covers
 from kernel.memory.meaning import Command, Revision
+from kernel.memory.ordering import reordered
 from kernel.memory.reply import NothingToDo, Revised
 from kernel.net.graphlet import Graphlet
 from kernel.reporting import commanded
@@ -54,8 +56,10 @@ def revise(commons: Commons, focus: Focus, revision: Revision) -> Run:
         if command is None:
             return _nothing(commons)
         return (yield from _instead(commons, focus, keeping(command.chain, revision.chain)))
+    if revision.moved:
+        return _nothing(commons)
     if alteration(revision.chain) is not None:
-        chain = altered(command.chain, revision.chain) if command is not None else None
+        chain = None if command is None else _altered_command(command, revision)
         return _nothing(commons) if chain is None else (yield from _instead(commons, focus, chain))
     fits = revision.instead_of is None or (
         command is not None and has_step(command.chain, revision.instead_of)
@@ -63,6 +67,13 @@ def revise(commons: Commons, focus: Focus, revision: Revision) -> Run:
     if command is None or not revision.chain.plays or revision.of is not None or not fits:
         return _nothing(commons)
     return (yield from _instead(commons, focus, revision.chain))
+
+
+def _altered_command(command: Command, revision: Revision) -> Chain | None:
+    """The command with its last step otherwise, or with the one that is named."""
+    chain, old = command.chain, revision.instead_of
+    drawn = [d.graphlet for d in chain.directives() if d.graphlet]
+    return altered(chain, revision.chain, None if old is None else meant(old, chain, drawn))
 
 
 def _nothing(commons: Commons, what: Literal["revise", "later"] = "revise") -> Verdict:
@@ -77,11 +88,11 @@ def _edited(commons: Commons, revision: Revision) -> tuple[Lesson, Operator] | N
     if revision.of is not None:
         for lesson, operator in _named(commons, revision.of):
             if old is None and alteration(revision.chain) is not None:
-                other = altered(operator.chain, revision.chain, whole=True)
+                other = altered(operator.chain, revision.chain, lambda _: True)
                 return None if other is None else (lesson, replace(operator, chain=other))
-            if old is None:
+            if old is None and not revision.moved:
                 return lesson, with_more(operator, revision.chain, last=revision.last)
-            changed = with_other_step(operator, old, revision.chain, revision.beside)
+            changed = _changed(operator, revision)
             if changed is not None:
                 return lesson, changed
         return None
@@ -89,6 +100,9 @@ def _edited(commons: Commons, revision: Revision) -> tuple[Lesson, Operator] | N
         taught = None if commanded else _taught(commons)
         if taught is None or not isinstance(taught.content, Operator):
             return None
+        if revision.moved:
+            changed = _changed(taught.content, revision)
+            return None if changed is None else (taught, changed)
         if revision.last:
             return taught, with_more(taught.content, revision.chain, last=True)
         if alteration(revision.chain) is not None:
@@ -113,11 +127,21 @@ def _with_step(
 ) -> tuple[Lesson, Operator] | None:
     if lesson is None or lesson.ident <= INNATE or lesson.ident not in commons.lessons:
         return None
-    old = revision.instead_of
-    if old is None or not isinstance(lesson.content, Operator):
+    if not isinstance(lesson.content, Operator):
         return None
-    changed = with_other_step(lesson.content, old, revision.chain, revision.beside)
+    changed = _changed(lesson.content, revision)
     return None if changed is None else (lesson, changed)
+
+
+def _changed(operator: Operator, revision: Revision) -> Operator | None:
+    """The operator with another step, or with its steps in another order; None where it has no such step."""
+    old = revision.instead_of
+    if revision.moved:
+        (step,) = revision.chain.tagged("DO")
+        return reordered(operator, step, old, revision.beside)
+    if old is None:
+        return None
+    return with_other_step(operator, old, revision.chain, revision.beside)
 
 
 def _named(commons: Commons, act: Graphlet) -> Iterator[tuple[Lesson, Operator]]:

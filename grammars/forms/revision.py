@@ -9,6 +9,7 @@ from grammars.build import Build, NoMeaningError
 from grammars.pacing import HOLDING
 from grammars.registry import sentence_form
 from grammars.sorts import is_abstract, is_bare, is_said_to_persons
+from grammars.steps import reordered, step_at, step_named
 from grammars.verdicts import is_praise
 from grammars.vocabulary import BORN
 from kernel.action.chain import Chain, Directive, Play, sequence
@@ -35,6 +36,16 @@ EXAMPLES = (
     "do that again but with the gripper closed",
     "leave out the turn",
     "skip the last step",
+    "leave out the second turn",
+    "do the first step twice",
+    "make the second turn slower",
+    "swap the first two steps",
+    "swap the turn and the wave",
+    "the wave should come before the bow",
+    "move the wave to the end",
+    "it should be two turns, not one",
+    "don't turn left, turn right",
+    "you were supposed to stop",
     "the first step of the dance should be turn left",
     "add a one second wait between the two steps",
     "change the left turn to a right turn",
@@ -66,13 +77,18 @@ def revision(alist: AList) -> Revision:
         return _words(build, alist, of)
     if (keeping := alist.find("keeping")) is not None:
         return Revision(build.chain(_alone(keeping)))
+    if (order := alist.find("reordering")) is not None:
+        return reordered(build, order, of)
+    if alist.has("same_deed") and not _is_alike(alist):
+        raise NoMeaningError("do not worry, be happy")
     altered, beside = alist.find("altered"), alist.find("ahead_of", "behind", "amid")
     if altered is not None:
         if (was := alist.find("was")) is not None and was.find("qual", "owner") is not None:
             raise NoMeaningError("another sort of part")
         if of is not None and (of.head is None or not of.head.lex.isdisjoint(HOLDING)):
             raise NoMeaningError("no deed")
-        return Revision(_altered(build, altered), of=of, later=alist.has("later"))
+        step = _replaced(build, alist) if alist.has("stepping") else None
+        return Revision(_altered(build, altered), step, of, later=alist.has("later"))
     replaced = _replaced(build, alist if beside is None else beside)
     chain = _new_steps(alist)
     if chain is not None:
@@ -83,12 +99,17 @@ def revision(alist: AList) -> Revision:
         replaced, steps = _things(build, alist)
     where: Beside = "" if beside is None else "after" if beside.name == "behind" else "before"
     if alist.has("at_start") and of is None:
-        with build.drawing(pattern=True):
-            replaced, where = _at(build, "first"), "before"
+        replaced, where = step_at(build, "first"), "before"
     adding = alist.has("adding") and replaced is None and of is None
     last, later = alist.has("at_end") or adding, alist.has("later")
     later = later and chain is not None and replaced is None and of is None and not last
     return Revision(steps, replaced, of, last, where, later)
+
+
+def _is_alike(alist: AList) -> bool:
+    """What is to be done has the verb of what is not: "don't turn left, turn right"."""
+    new = alist.first("chain").parts[0].find("action")
+    return new is not None and new.slot("act") == alist.first("action").slot("act") != ""
 
 
 def _as_way(alist: AList) -> AList:
@@ -138,20 +159,11 @@ def _replaced(build: Build, alist: AList) -> Graphlet | None:
     """The description of the step that is meant: as it was, by its name, or by its place."""
     with build.drawing(pattern=True):
         if alist.name == "amid":
-            return _at(build, "second")
+            return step_at(build, "second")
         step = alist.find("stepping", "gerunding", "action") or _as_it_was(alist)
         if step is None:
             return None
-        if (nth := step.find("nth")) is not None:
-            return _at(build, nth.slot("ord"))
-        return build.graphlet(build.action(step))
-
-
-def _at(build: Build, place: str) -> Graphlet:
-    """The step in that place of the chain."""
-    step = build.add("act")
-    build.add("hq", place, hq=step)
-    return build.graphlet(step)
+        return step_named(build, step)
 
 
 def _as_it_was(alist: AList) -> AList | None:

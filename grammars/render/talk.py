@@ -7,10 +7,11 @@ from typing import Final
 from grammars.render.deeds import deed
 from grammars.render.names import pronoun, proper
 from grammars.render.procedures import procedure
-from grammars.render.telling import Telling, Voice, linked
+from grammars.render.telling import Telling, Voice, linked, word
 from grammars.render.things import thing
 from kernel.memory.editing import ORDER, OTHER_WAY, alteration
 from kernel.memory.meaning import Control, Feedback, Identity, Revision, Social
+from kernel.net.graphlet import Graphlet
 
 _MANNERS: Final = {"hello": "hello", "thanks": "thank you", "bye": "goodbye", "sorry": "sorry"}
 _STEERING: Final = {
@@ -78,7 +79,10 @@ def revision(meaning: Revision, voice: Voice) -> str:
         how = how.replace(OTHER_WAY, "the other way")
         if meaning.of is not None:
             doing = deed(telling, meaning.of.main)
-            return f"when {pronoun(telling, 'you', 'subject')} {doing}, do it {how}"
+            it = "it" if old is None else _step(telling, old)
+            return f"when {pronoun(telling, 'you', 'subject')} {doing}, do {it} {how}"
+        if old is not None:
+            return f"do {_step(telling, old)} {how}"
         return f"do it {how} next time" if meaning.later else f"make it {how}"
     if meaning.of is None and found and all(d.tag == "FIND" for d in meaning.chain.directives()):
         return f"I meant {thing(telling, found[-1].main)}"
@@ -93,18 +97,15 @@ def revision(meaning: Revision, voice: Voice) -> str:
 def _correction(telling: Telling, meaning: Revision) -> str:
     """What is to be done, instead of what or beside what."""
     old, no = meaning.instead_of, "" if meaning.of is not None else "no, "
-    at = (
-        None
-        if old is None
-        else next((o for t in old for o in ORDER if t.kind == "hq" and o in t.lex), None)
-    )
-    step = "" if old is None else f"the {at} step" if at else deed(telling, old.main, "gerund")
+    step = "" if old is None else _step(telling, old)
+    if meaning.moved:
+        return _reordering(telling, meaning, step)
     if not meaning.chain.plays:
         return f"leave out {step}"
     steps = procedure(telling, meaning.chain)
     if meaning.beside:
         return f"add {steps} {meaning.beside} {step}"
-    if at:
+    if old is not None and _order(old):
         return f"make {step} {steps}"
     if old is not None:
         return f"{no}{steps} instead of {step}"
@@ -112,3 +113,26 @@ def _correction(telling: Telling, meaning: Revision) -> str:
         when = "next time" if meaning.later else "instead"
         return f"add {steps} at the end" if meaning.last else f"no, {steps} {when}"
     return f"{steps} {'at the end' if meaning.last else 'first'}"
+
+
+def _order(step: Graphlet) -> str:
+    """Its place in the lesson: "second"."""
+    return next((o for t in step if t.kind == "hq" for o in ORDER if o in t.lex), "")
+
+
+def _step(telling: Telling, step: Graphlet) -> str:
+    """A step of a lesson: "the first step", "the second turn", "turning left"."""
+    if not (at := _order(step)):
+        return deed(telling, step.main, "gerund")
+    act = telling.term(step.main)
+    ways = [word(way) for way in telling.take(act.name, "dir")]
+    return " ".join(("the", at, *ways, word(act) or "step"))
+
+
+def _reordering(telling: Telling, meaning: Revision, step: str) -> str:
+    (moving,) = meaning.chain.tagged("DO")
+    if meaning.last:
+        return f"move {_step(telling, moving)} to the end"
+    if meaning.beside:
+        return f"move {_step(telling, moving)} {meaning.beside} {step}"
+    return f"swap {step} and {_step(telling, moving)}"

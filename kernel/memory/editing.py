@@ -27,19 +27,26 @@ def with_other_step(
     operator: Operator, old: Graphlet, new: Chain, beside: Beside = ""
 ) -> Operator | None:
     """The operator with `new` in the place of every step that the description `old` fits, or beside it; None if none
-    does."""
-    meant = _meant(old, operator.chain, tuple(graphlets(operator)))
-    return _with(operator, meant, new, beside)
+    does. A new step of no verb says how the old one is to be otherwise."""
+    is_old = meant(old, operator.chain, tuple(graphlets(operator)))
+    if alteration(new) is not None:
+        chain = altered(operator.chain, new, is_old)
+        return None if chain is None else replace(operator, chain=chain)
+    return _with(operator, is_old, new, beside)
 
 
-def _meant(old: Graphlet, chain: Chain, drawn: Iterable[Graphlet]) -> Callable[[Graphlet], bool]:
-    """Whether a step is meant by the description: "turning left", "the last step"."""
+def meant(old: Graphlet, chain: Chain, drawn: Iterable[Graphlet]) -> Callable[[Graphlet], bool]:
+    """Whether a step is meant by the description: "turning left", "the last step", "the second turn"."""
     head, drawn = old.head, tuple(drawn)
-    place = next((o for t in old for o in ORDER if o in t.lex and ("hq", old.main) in t.links), "")
-    if head is None or head.lex or not place:
+    order = next(
+        (t for t in old if not t.lex.isdisjoint(ORDER) and ("hq", old.main) in t.links), None
+    )
+    if head is None or order is None:
         return lambda step: covers(old, drawn, step)
-    steps = chain.tagged("DO")
-    chosen = steps[ORDER[place]] if -len(steps) <= ORDER[place] < len(steps) else None
+    bare = Graphlet(tuple(term for term in old if term is not order), old.main)
+    steps = [step for step in chain.tagged("DO") if not head.lex or covers(bare, drawn, step)]
+    at = ORDER[min(order.lex)]
+    chosen = steps[at] if -len(steps) <= at < len(steps) else None
     return lambda step: step is chosen
 
 
@@ -68,15 +75,25 @@ def alteration(new: Chain) -> Graphlet | None:
     """What says only how the last step is to be otherwise: a step of no verb."""
     steps = new.tagged("DO")
     head = steps[0].head if len(steps) == 1 else None
-    return steps[0] if head is not None and not head.lex and not head.links else None
+    if (
+        head is None
+        or head.lex
+        or head.links
+        or any(("hq", head.name) in t.links for t in steps[0])
+    ):
+        return None
+    return steps[0]
 
 
-def altered(chain: Chain, new: Chain, *, whole: bool = False) -> Chain | None:
-    """The chain with the modifiers of that step of no verb in its last step, or in all of its steps, in the place of
-    their own of the same sort; None if none fits. What they need is looked up first."""
+def altered(
+    chain: Chain, new: Chain, which: Callable[[Graphlet], bool] | None = None
+) -> Chain | None:
+    """The chain with the modifiers of that step of no verb in its last step, or in those that are meant, in the place
+    of their own of the same sort; None if none fits. What they need is looked up first."""
     before: tuple[Play, ...] = ()
     steps = chain.tagged("DO")
-    for step in steps if whole else steps[-1:]:
+    steps = steps[-1:] if which is None else [step for step in steps if which(step)]
+    for step in steps:
         fresh = _fresh(new, chain.graphlets())
         change = alteration(fresh)
         other = None if change is None else _altered_step(step, change)
@@ -128,7 +145,7 @@ def keeping(chain: Chain, kept: Chain) -> Chain:
 def has_step(chain: Chain, old: Graphlet) -> bool:
     """Whether the description fits one of its steps."""
     drawn = [d.graphlet for d in chain.directives() if d.graphlet]
-    return any(map(_meant(old, chain, drawn), chain.tagged("DO")))
+    return any(map(meant(old, chain, drawn), chain.tagged("DO")))
 
 
 def with_other_thing(chain: Chain, old: Graphlet | None, new: Graphlet) -> Chain | None:

@@ -143,6 +143,7 @@ class Revision:
 
     Do this (chain) instead of that (instead_of), or when doing that verb (of): first, or last; or beside that, which
     stays: before or after it. A chain of nothing but KEEP is what is to be so meanwhile. Later: not now, but next time.
+    Moved: the step that the chain tells is in the lesson already and goes there; beside nothing, the two change places.
     """
 
     chain: Chain
@@ -151,6 +152,7 @@ class Revision:
     last: bool = False
     beside: Beside = ""
     later: bool = False
+    moved: bool = False
 
 
 Meaning = (

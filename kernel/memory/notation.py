@@ -69,10 +69,11 @@ def write_meaning(meaning: Meaning) -> tuple[str, ...]:
             return (act, *map(write, acts), *again)
         case Choice(described):
             return (write(described),)
-        case Revision(chain, instead_of, of, last, beside, later):
+        case Revision(chain, instead_of, of, last, beside, later, moved):
             parts = [(beside or "instead of", instead_of), ("of", of)]
             said = tuple(f"{label}:\n{write(g)}" for label, g in parts if g)
-            return (write(chain), *said, *(("last",) * last), *(("later",) * later))
+            flags = (("last", last), ("later", later), ("moved", moved))
+            return (write(chain), *said, *(flag for flag, is_so in flags if is_so))
 
 
 def read(text: str) -> Content:
