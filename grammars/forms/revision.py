@@ -44,7 +44,6 @@ EXAMPLES = (
     "the wave should come before the bow",
     "move the wave to the end",
     "it should be two turns, not one",
-    "don't turn left, turn right",
     "you were supposed to stop",
     "the first step of the dance should be turn left",
     "add a one second wait between the two steps",

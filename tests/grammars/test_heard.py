@@ -6,10 +6,12 @@ import json
 import random
 from functools import cache
 from importlib.resources import files
+from itertools import pairwise
 
 import pytest
 
 from grammars.automaton import sample
+from grammars.chains import TURNING
 from grammars.chatter import is_chatter
 from grammars.finite_state import Compiler, expand
 from grammars.heard import (
@@ -226,12 +228,14 @@ def test_replaced_rules_name_rules_and_words_that_exist() -> None:
 
 
 def _is_known_misreading(sentence: str) -> bool:
-    """What no rule without its words can leave out: sayings, a thing said to be itself (by a synonym perhaps), and a
-    quote in the lesson of a quote, where the parser may take "you are not the boss of me" for what follows."""
+    """What no rule without its words can leave out: sayings, a thing said to be itself (by a synonym perhaps), a quote
+    in the lesson of a quote, where the parser may take "you are not the boss of me" for what follows, "twirl up"."""
     said = sentence.removesuffix(" please").split()
     if is_chatter(tuple(piece.text for piece in pieces(sentence))):
         return True
     if said[:3] == ["when", "i", "say"]:
         return "say" in said[3:]
+    if any(verb in TURNING and way in ("up", "down") for verb, way in pairwise(said)):
+        return True
     *before, last = (word.removesuffix("s") for word in said)
     return bool({"means", "is", "are"} & set(said)) and last in before
