@@ -19,10 +19,12 @@ from grammars.chains import (
     that_too,
     turned,
     turns,
+    with_gaps,
 )
 from grammars.errors import NoMeaningError
 from grammars.how_done import is_odd_manner
-from grammars.manners import SIZES, bounded, limited, manner, not_too, resulting, unit_of
+from grammars.manners import SIZES, bounded, limited, manner, not_too, resulting, unit_of, within
+from grammars.measures import summed
 from grammars.mentions import (
     but,
     is_time,
@@ -35,6 +37,7 @@ from grammars.sorts import classes
 from grammars.speaking import spoken
 from grammars.things import Things
 from grammars.usage import is_used, particles, put_nowhere
+from grammars.vocabulary import BORN
 from kernel.action.chain import Chain, Directive, Play
 from kernel.memory.editing import OTHER_WAY
 from kernel.net.graphlet import Graphlet
@@ -80,6 +83,8 @@ class Build(Things):
         if (where := action.find("whereis")) is not None:
             links["obj"] = self.whereabouts(where)
         if (iobj := action.find("iobj")) is not None:
+            if "GIVE" not in BORN.readings(action.slot("act")):
+                raise NoMeaningError(str(action))
             links["dest"] = self.thing(iobj.first("np"), person=True)
         if (dest := action.find("dest")) is not None:
             every = dest.find("every")
@@ -140,6 +145,7 @@ class Build(Things):
             elif part.name == "manner":
                 manner(self, act, part)
             elif part.name == "amt":
+                part = summed(part)
                 number = part.slot("num", "1")
                 if part.has("more_half"):
                     number = f"{float(number) + 0.5:g}"
@@ -151,6 +157,8 @@ class Build(Things):
                 self.add("amt", literal=part.slot("num"), amt=act)
             elif part.name == "degrees_so" and not action.has("dest"):
                 degrees_so(self, act, part)
+            elif part.name == "up_close" and self.pattern:
+                within(self, act, part.first("nearer"))
             elif part.name in ("counting_up", "in_a_while", "degrees_so", "up_close"):
                 raise NoMeaningError(str(action))  # together with something else, or as a trigger
             elif part.name == "the_other_way":
@@ -198,6 +206,8 @@ class Build(Things):
         for part in chain:
             if (several := part.find("several")) is not None:
                 made += self.chain(one_by_one(several)).plays
+            elif (gapped := part.find("gapped")) is not None:
+                made += self.chain(with_gaps(gapped)).plays
             elif (again := part.find("spaced")) is not None:
                 made += self.chain(spaced(again)).plays
             elif (delayed := in_a_while(part)) is not None:

@@ -196,6 +196,14 @@ def one_by_one(several: AList) -> AList:
     return AList("chain", tuple(AList("play", (act,)) for act in one_each(several)))
 
 
+def with_gaps(gapped: AList) -> AList:
+    """ "Put the cup on the table and the plate on the shelf": the same done with each, one after another."""
+    verb, *gaps = gapped.parts
+    return AList(
+        "chain", tuple(AList("play", (AList("action", (verb, *gap.parts)),)) for gap in gaps)
+    )
+
+
 def that_too(chain: AList, elliptic: AList) -> AList:
     """The step before, at another place, to somewhere else or upon another thing: "then under it", "then the blue
     one"."""

@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING
 
 from grammars.alist import AList
 from grammars.clauses import clause
+from grammars.mentions import left_out
 from grammars.mutual import of_each
 from grammars.timing import it_is, o_clock
 from kernel.net.graphlet import Graphlet
@@ -40,6 +41,8 @@ def stated(build: Build, conds: AList) -> Graphlet:
 
 def exception(build: Build, alist: AList) -> tuple[Graphlet, ...]:
     """What stands after "unless", each way out by itself."""
+    if (excepted := alist.find("excepted")) is not None:
+        alist = AList(alist.name, (left_out(excepted.first("np")),))
     found = alist.find("exception")
     if found is None:
         return ()

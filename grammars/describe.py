@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import Any
 
+from grammars.measures import summed
 from grammars.reading import Parsed
 from kernel.action.chain import Chain
 from kernel.memory.lesson import Operator, Rule, graphlets
@@ -31,7 +32,9 @@ def describe(parsed: Parsed) -> dict[str, Any]:
     return {
         "text": parsed.text,
         "kind": parsed.kind,
-        "words": sorted((_words(meaning) | _told_by_role(parsed)) - _implied(parsed)),
+        "words": sorted(
+            (_words(meaning) | _told_by_role(parsed) | _added(parsed)) - _implied(parsed)
+        ),
         "steps": None if chain is None else _steps(chain),
         "parallel": chain is not None and chain.parallel,
         "negated": any(term.negated for graphlet in _graphlets(meaning) for term in graphlet),
@@ -96,11 +99,19 @@ def _told_by_role(parsed: Parsed) -> set[str]:
     return {"belong"} if any(part.name == "owner_of" for part in parsed.alist.walk()) else set()
 
 
+def _added(parsed: Parsed) -> set[str]:
+    """Numbers and units that were added up: "two feet and three inches"."""
+    mixed = [amt for amt in parsed.alist.walk() if amt.name == "amt" and len(amt.all("unit")) > 1]
+    return {part.value or "" for amt in mixed for part in amt if part.name in ("num", "unit")}
+
+
 def _implied(parsed: Parsed) -> set[str]:
     """Words that a sentence of one word leaves out: "forward" and "reverse" are driving."""
     bare = any(part.name == "bare" for part in parsed.alist.walk())
     bare = bare or len(parsed.text.split()) == 1
-    return {"drive", "turn", "raise", "lift"} if bare else set()
+    sums = {summed(amt).slot("num") for amt in parsed.alist.walk() if amt.name == "amt"}
+    summed_up = sums - {part.value for part in parsed.alist.walk() if part.name == "num"}
+    return ({"drive", "turn", "raise", "lift"} if bare else set()) | summed_up
 
 
 def _trigger(taught: Teach) -> list[str]:

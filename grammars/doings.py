@@ -75,6 +75,10 @@ def doing(build: Build, part: AList, agent: str, objects: list[AList], negated: 
         build.add("dir", way, dir=act)
     for time in times:
         it_is(build, time)
+    if (without := part.find("not_doing")) is not None:  # "comes in without knocking"
+        other = build.action(without)
+        build.sketch.link(other, "agt", agent)
+        build.sketch.change(other, negated=True)
     if part.has("does") and part.has("num"):  # "the clock strikes twelve"
         build.add("amt", literal=part.slot("num"), amt=act)
     if going is not None and part.has("does") and objects:

@@ -24,6 +24,7 @@ SO_MANY: Final = {
     "at_most": ("<", 1),
 }
 MORE_THAN_ONE: Final = "> 1"
+VOICED: Final = {"loud": "loudly", "quiet": "quietly"}
 POINTING: Final = ("this", "that", "it")
 _LITTLE: Final = ("deg", "little")
 NOT_TOO: Final = {
@@ -36,6 +37,8 @@ NOT_TOO: Final = {
 RESULTS: Final = frozenset("leave hold push pull paint slam kick prop bend".split())
 ENDS: Final = frozenset("open closed shut on off locked unlocked".split())
 SIZES: Final = {
+    "the rest of the way": "fully",
+    "the rest": "fully",
     "all the way": "fully",
     "completely": "fully",
     "fully": "fully",
@@ -120,24 +123,35 @@ def manner(build: Things, act: str, said: AList) -> None:
         word = faster.slot("adv") or faster.value or ""
         if "ADV" not in BORN.readings(word):  # "drive bigger"
             raise NoMeaningError(str(said))
+    if not louder and "say" in build.sketch.terms[act].lex:  # "as loud as you can"
+        word = VOICED.get(word, word)
     mod = build.add("mod", word, mod=act)
     if faster is not None or louder:
         build.add("deg", "more", deg=mod)
     if (paced := said.find("paced_as")) is not None:
         build.sketch.link(mod, "than", _pacer(build, paced))
+    if (paced := said.find("paced_like")) is not None:
+        build.sketch.link(mod, "as", _pacer(build, paced))
     for deg in said.all("deg"):
         build.add("deg", degree(deg.value or ""), deg=mod)
 
 
 def _pacer(build: Things, paced: AList) -> str:
     """Node of what is no faster: "than Mary", "than you can see"."""
-    np = paced.first("np", "base_np")
+    np = paced.first("np", "base_np", "sorts_np")
     if np.slot("pron") in POINTING:  # "faster than that" corrects
         raise NoMeaningError(str(paced))
     other = build.aside(np)
     if does := next(filter(None, map(paced.slot, ("does", "state"))), ""):
         return build.add("act", does, agt=other)
     return other
+
+
+def within(build: Things, act: str, near: AList) -> None:
+    """ "Within a foot of the stove", where the deed is to be told by it."""
+    measure = near.first("measure")
+    loc = build.add("loc", "within", loc=act, wrt=build.aside(near.first("np")))
+    build.add("amt", measure.slot("unit"), literal=measure.slot("num", "1"), amt=loc)
 
 
 def resulting(build: Things, act: str, said: AList) -> None:

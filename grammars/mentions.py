@@ -242,6 +242,19 @@ def but(left_out: AList) -> AList:
     return AList("rel", (AList("neg", value="not"), pred))
 
 
+def left_out(np: AList) -> AList:
+    """ "Anything but the red block": unless it is a red block."""
+    if np.has("name"):
+        pred = AList("pred", (AList("isname", tuple(np.all("name"))),))
+    elif kind(np):
+        of_kind = (AList("ako", value=p.value) if p.name == "akos" else p for p in np)
+        pred = AList("pred", (AList("kindof", tuple(p for p in of_kind if p.name != "det")),))
+    else:
+        raise NoMeaningError(str(np))
+    it = AList("np", (AList("pron", value="they" if np.has("name") else "it"),))
+    return AList("exception", (AList("conds", (AList("clause", (it, pred)),)),))
+
+
 def with_apposed(np: AList, apposed: AList) -> AList:
     """ "The cup, the red one": the red cup."""
     if np.has("qual"):  # "the blue cup, the red one" are two

@@ -131,7 +131,8 @@ def _flowing(found: Sequence[Piece]) -> list[Piece]:
     """Without commas where a thing has only begun: "go to the, um, kitchen"."""
     made: list[Piece] = []
     for piece in found:
-        if not (piece.kind == "comma" and made and made[-1].text in UNFINISHED):
+        again = made and (made[-1].text in UNFINISHED or made[-1].kind == "comma")
+        if not (piece.kind == "comma" and again):
             made.append(piece)
     return made
 

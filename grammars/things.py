@@ -274,6 +274,8 @@ class Things:
 
         Returns the node of that.
         """
+        if own := owner.slot("own"):  # "that is ours"
+            return self.add("own", own=name, of=self.whom(own), negated=negated)
         whose = owner.find("np") or owner
         if owner.name == "of_owner" and not (is_person(whose) or is_definite(whose)):
             raise NoMeaningError(str(owner))

@@ -160,7 +160,7 @@ def _lacks(action: AList, obj: AList | None, uses: frozenset[str]) -> bool:
         return is_people(obj) or obj.has("name") or is_bare(obj)  # "hand visitors", "give place"
     if "placing" in uses and not any(map(action.has, ("place", "dest", "dir", "iobj"))):
         return True  # "put the cup"
-    lacking = "needing" in uses or any(
+    lacking = ("needing" in uses and not action.has("size")) or any(
         sort in uses and action.has(part)
         for sort, part in (("taking", "place"), ("taking", "dest"), ("aimless", "dir"))
     )

@@ -66,7 +66,11 @@ def _but_not(build: Build, alist: AList, allowed: Operator) -> tuple[Operator, .
     """What is forbidden in the same breath: "you may touch the cup but not the vase", "but never touch the vase"."""
     if (banned := alist.find("but_never")) is not None:
         return (_forbidden(build, banned.first("action"), allowed),)
-    if alist.has("only_so"):
+    if (barred := alist.find("barred")) is not None:
+        with build.drawing(pattern=True, trigger=True):
+            away = build.graphlet(build.add("act", dest=build.aside(barred.first("np"))))
+        return (Operator(Directive("ANTE", away), Chain((Play((Directive("PUNT"),)),))),)
+    if alist.has("only_so") and not alist.has("conds"):
         return (_forbidden(build, _in_general(alist.first("action")), allowed),)
     if (left_out := alist.find("not_that")) is None:
         return ()

@@ -76,6 +76,5 @@ def _taught(build: Build, alist: AList, trigger: Directive) -> Teach:
         raise NoMeaningError(str(alist))
     chain = Chain(tuple(play for part in chains for play in part.plays))
     strength = preference(alist.slot("pref"))
-    if alist.find("could") is not None:
-        strength = preference("could")
+    strength = next((preference(said) for said in ("could", "might") if alist.has(said)), strength)
     return Teach("procedure", Operator(trigger, chain, preference=strength))

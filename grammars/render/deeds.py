@@ -9,7 +9,7 @@ from grammars.morphology import article, comparative, gerund, past, plural, thir
 from grammars.pacing import TIMES
 from grammars.remarks import FOND
 from grammars.render.names import literally
-from grammars.render.qualities import degree, measured
+from grammars.render.qualities import BOUNDED, degree, measured
 from grammars.render.telling import Telling, linked, word
 from grammars.render.things import place, thing
 from grammars.vocabulary import BORN
@@ -41,7 +41,6 @@ _SIZES: Final = {
 _APPROXIMATE: Final = ("around", "about")
 # Directions said before what they lead past: "go out the door".
 _LEADING: Final = ("out", "in", "inside", "off", "over", "down", "up")
-BOUNDED: Final = {">": "over ", "<": "under "}
 # They stand before a particle: "put it back".
 _PRONOUNS: Final = [
     ["it"],
@@ -164,6 +163,8 @@ def _manner(telling: Telling, how: Term) -> str:
     """ "Very slowly", "faster"."""
     said = degree(telling, how.name)
     flat = said == "more " and "ADJ" in BORN.readings(word(how))
+    if like := linked(how, "as"):
+        return f"as {word(how)} as {_pacer(telling, like)}"
     paced = f" than {_pacer(telling, linked(how, 'than'))}" if linked(how, "than") else ""
     return (comparative(word(how)) if flat else said + word(how)) + paced
 

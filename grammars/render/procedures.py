@@ -177,7 +177,7 @@ def _loop(telling: Telling, loop: Loop) -> str:
     if loop.each is not None:
         if loop.times is not None:
             telling.count(loop.each.main, loop.times)
-        if not _taken(loop):
+        if not (_taken(loop) or _taken_there(loop)):
             each = thing(telling, loop.each.main)
             said = procedure(telling, loop.body, mentioned=loop.each.mentioned)
             return f"for {each}, {said}"
@@ -229,6 +229,14 @@ def _meant(loop: Loop) -> bool:
     """Whether the body acts on what its condition describes: "while something is close, push it"."""
     described = loop.whilst.names if loop.whilst is not None else frozenset()
     return any(described & graphlet.mentioned for graphlet in loop.body.graphlets())
+
+
+def _taken_there(loop: Loop) -> bool:
+    """Whether it is taken somewhere that is looked up: "push each crate to the wall"."""
+    done = tuple(play for play in loop.body.plays if play.find is None)
+    acts = replace(loop, body=Chain(done))
+    placed = any(term.kind == "loc" for g in loop.body.graphlets() for term in g)
+    return not placed and not any(t.kind == "loc" for t in loop.each or ()) and _taken(acts)
 
 
 def _taken(loop: Loop) -> bool:

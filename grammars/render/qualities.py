@@ -10,6 +10,7 @@ from grammars.render.telling import Telling, word
 from grammars.vocabulary import BORN
 from kernel.net.graphlet import Term
 
+BOUNDED: Final = {">": "over ", "<": "under "}
 _DEGREES: Final = {"little": "a little", "fully": "all the way"}
 
 
@@ -26,6 +27,14 @@ def measured(number: str, unit: str) -> str:
     """ "1 inch", "10 inches"."""
     one, _, per = unit.partition(" ")  # "inch per second"
     return " ".join(filter(None, (number, one if number == "1" else plural(one), per)))
+
+
+def much(amount: Term) -> str:
+    """ "5 pounds"; "over 5 pounds"."""
+    number, bound = amount.literal or "1", ""
+    if number[:1] in BOUNDED:
+        bound, number = BOUNDED[number[:1]], number[1:].strip()
+    return f"{bound}{measured(number, word(amount))}"
 
 
 def quality(telling: Telling, term: Term) -> str:

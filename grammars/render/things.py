@@ -7,7 +7,7 @@ from typing import Final
 from grammars.manners import MORE_THAN_ONE, so_many
 from grammars.morphology import article, comparative, gerund, past, plural, third_person
 from grammars.render.names import CASES, PRONOUNS, Case, again, pronoun, proper
-from grammars.render.qualities import degree, is_material, measured, quality
+from grammars.render.qualities import degree, is_material, measured, much, quality
 from grammars.render.telling import GROUPS, Telling, linked, word
 from grammars.sorts import classes
 from grammars.usage import BEHIND
@@ -16,10 +16,11 @@ from kernel.net.graphlet import Term
 
 _DETERMINERS: Final = frozenset("the this that these those every any all each some".split())
 _PERSONS: Final = {"every": "everybody", "some": "somebody"}
-_ABSOLUTE: Final = {"my": "mine", "your": "yours", "her": "hers", "their": "theirs"}
+_ABSOLUTE: Final = {"my": "mine", "your": "yours", "her": "hers", "their": "theirs", "our": "ours"}
 _BE: Final = {"I": "am", "you": "are"}
 _AT_HOME: Final = {f"a {where}": where for where in ("home", "school", "church", "work")}
 # What one is doing still, and what one does all the time, where that tells which thing is meant.
+_MEASURING: Final = ("weigh", "cost")
 _ONGOING: Final = ("hold", "carry", "wear", "watch")
 _FELT: Final = tuple("see hear want like love need have know own hate prefer mean smell".split())
 
@@ -70,6 +71,8 @@ def place(telling: Telling, term: Term) -> str:
     far = [measured(amt.literal or "1", word(amt)) for amt in telling.take(term.name, "amt")]
     if word(term) == "at":
         landmarks = [_AT_HOME.get(mark, mark) for mark in landmarks]
+    if landmarks and word(term) == "within":
+        return f"within {' '.join(far)} of {' and '.join(landmarks)}"
     if landmarks:
         return " ".join((*far, word(term), " and ".join(landmarks)))
     whole = " " in word(term) or word(term) in classes()["storeys"]
@@ -178,7 +181,7 @@ def _own_doings(telling: Telling, name: str) -> list[Term]:
         if {role for role, _ in term.links} <= {"agt", "obj"}
         and not telling.is_main(term.name)
         and not any(
-            term.name in {o for r, o in other.links if r not in ("dir", "mod")}
+            term.name in {o for r, o in other.links if r not in ("dir", "mod", "amt")}
             for other in telling.terms.values()
         )
     ]
@@ -189,12 +192,13 @@ def _own_doings(telling: Telling, name: str) -> list[Term]:
 def _at_it(telling: Telling, term: Term) -> str:
     """ "That is holding a cup", "that has a wheel"."""
     known = BORN.readings(word(term))
-    stays = "STATE" in known and "VERB" not in known
+    stays = ("STATE" in known and "VERB" not in known) or word(term) in _MEASURING
     verb = third_person(word(term)) if stays else f"is {gerund(word(term))}"
     verb = f"does not {word(term)}" if term.negated else verb
     what = thing(telling, linked(term, "obj")) if linked(term, "obj") else ""
     ways = [word(way) for way in telling.take(term.name, "dir")]
     ways += [degree(telling, how.name) + word(how) for how in telling.take(term.name, "mod")]
+    ways += map(much, telling.take(term.name, "amt"))
     return " ".join(filter(None, ("that", verb, what, *ways)))
 
 
