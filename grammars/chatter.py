@@ -26,9 +26,11 @@ def _without_manners(words: tuple[str, ...]) -> tuple[str, ...]:
 
 
 def is_chatter(words: tuple[str, ...]) -> bool:
-    """A saying, one that somebody is told to have said, or what starts as nothing but a saying does."""
-    starts, idioms = _sayings("openings"), _sayings("idioms")
+    """A saying, one that somebody is told to have said, or what starts or ends as nothing but a saying does."""
+    starts, idioms, closings = map(_sayings, ("openings", "idioms", "closings"))
     words = _without_manners(words)
     ends = (at for at, word in enumerate(words) if word in TOLD)
     quoted = any(words[:at] in idioms for at in ends)
-    return words in idioms or quoted or any(words[: len(start)] == start for start in starts)
+    begun = any(words[: len(start)] == start for start in starts)
+    ended = any(words[-len(end) :] == end for end in closings)
+    return words in idioms or quoted or begun or ended

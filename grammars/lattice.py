@@ -146,7 +146,8 @@ def _strange(piece: Piece, guessing: bool) -> dict[str, str]:
         readings["PROPER"] = piece.text
     if guessing:
         manner = piece.text.endswith("ly") and len(piece.text) > len("early")
-        readings["ADV" if manner else "UNK"] = piece.text
+        if manner or not piece.capital:  # "the BBC" is no kind of thing
+            readings["ADV" if manner else "UNK"] = piece.text
         if not manner:
             readings["UNKNAME" if name else "UNKADJ"] = piece.text
     return readings

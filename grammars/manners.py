@@ -48,6 +48,9 @@ SIZES: Final = {
     "half way": "half",
     "further": "more",
     "some more": "more",
+    "bigger": "more",
+    "larger": "more",
+    "longer": "more",
 }
 
 

@@ -20,6 +20,7 @@ SHORTEST: Final = (
     4  # letters of a word that may be a typo; of one that builds sentences, or is none, one less
 )
 
+MOST_SLIPS: Final = 2
 UNLIKELY: Final = 2
 OTHER_WORD: Final = 3  # sort of a slip that is none
 
@@ -40,11 +41,12 @@ def near_words(
     """
     if word in english():
         return []
-    found = process.extract(word, words, scorer=OSA.distance, score_cutoff=1, limit=None)
+    found = process.extract(word, words, scorer=OSA.distance, score_cutoff=MOST_SLIPS, limit=None)
     near = [
         (sort, other)
         for other, distance, _ in found
-        if distance == 1 and (len(word) >= SHORTEST or other in common or _is_no_word(word, other))
+        if (distance == 1 or _is_jumbled(word, other))
+        and (len(word) >= SHORTEST or other in common or _is_no_word(word, other))
         if (sort := slip(word, other)) != OTHER_WORD and (sort < UNLIKELY) == likely
     ]
     likeliest = min(near, default=(OTHER_WORD, ""))[0]
@@ -55,6 +57,11 @@ def near_words(
 def english() -> frozenset[str]:
     """Common words that the robot does not know: whoever types "money" does not mean "monkey"."""
     return frozenset(word for line in lines("english") for word in line.split())
+
+
+def _is_jumbled(typed: str, meant: str) -> bool:
+    """A longer word whose letters all stand there, some in another place: "presno"."""
+    return len(typed) > SHORTEST and typed[0] == meant[0] and sorted(typed) == sorted(meant)
 
 
 def _is_no_word(typed: str, meant: str) -> bool:

@@ -80,7 +80,9 @@ def _is_no_opening(token: Token) -> bool:
 
 
 def _is_handled(tokens: Sequence[Token], derive: Derive) -> bool:
-    """A thing that nobody tells: "my sneakers", and not "a joke"."""
+    """A thing that nobody tells: "my sneakers", "the moment of truth", and not "a joke"."""
+    if tokens[0].piece.text == "the" and tokens[-1].piece.text not in classes()["texts"]:
+        return _derives([_freely(token) for token in tokens], "np", derive)
     told = abstract_words() | classes()["texts"]
     ends = [token.readings for token in (tokens[0], tokens[-1])]
     things = [one.get("NOUN") or one.get("NOUNS", "") for one in ends]

@@ -82,6 +82,11 @@ def is_of_persons(np: AList) -> bool:
     )
 
 
+def is_kin_of_yours(np: AList) -> bool:
+    """ "Your cousin": of whom persons ask each other."""
+    return np.slot("own") == "your" and kind(np) in classes()["kin"]
+
+
 def kind(np: AList) -> str:
     """What a thing is called, or ""."""
     return np.slot("ako") or np.slot("akos")

@@ -81,6 +81,8 @@ def is_used(action: AList, verb: str, pattern: bool, naming: bool = False) -> bo
     named = naming and obj is not None and (is_abstract(obj) or is_people(obj))
     if obj is not None and not named and not _takes(action, obj, uses, pattern):
         return False
+    if not pattern and _is_left_or_turned(action, obj or every):
+        return False
     if not pattern and (_lacks(action, obj, uses) or _is_upon_nothing(action)):
         return False
     if not pattern and not uses.isdisjoint(("sensing", "minding")):
@@ -98,6 +100,8 @@ def is_used(action: AList, verb: str, pattern: bool, naming: bool = False) -> bo
     dest, receiver = action.find("dest"), action.find("iobj")
     if not pattern and action.slot("act") in BACKING and _is_going_back(action):
         return False
+    if dest is not None and not pattern and any(map(_is_some_of_yours, dest.all("np"))):
+        return False  # "go back to your constituencies"
     if dest is not None and any(map(is_said_to_persons, dest.all("np"))):
         return False  # "hang on to your hat"
     told = "informing" in uses or "GIVE" in BORN.readings(verb)
@@ -176,6 +180,19 @@ def _takes_each(action: AList, every: AList, uses: frozenset[str]) -> bool:
         return False
     handled = "telling" in uses or not is_abstract(every)
     return handled and "alone" not in uses and ("reciting" not in uses or is_recited(every))
+
+
+def _is_left_or_turned(action: AList, thing: AList | None) -> bool:
+    """ "Leave out the butter", as recipes say it; "turn the pages"."""
+    if thing is None:
+        return False
+    left_out = action.slot("act") == "leave" and any(w.value == "out" for w in action.all("dir"))
+    return left_out or (action.slot("act") in TURNERS and kind(thing) in classes()["unturned"])
+
+
+def _is_some_of_yours(np: AList) -> bool:
+    """What the robot is said to have, in a word that nobody taught."""
+    return np.slot("own") == "your" and not BORN.knows(kind(np))
 
 
 def _is_called(np: AList) -> bool:

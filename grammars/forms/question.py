@@ -11,6 +11,7 @@ from grammars.build import Build, NoMeaningError
 from grammars.dates import day_asked
 from grammars.questions import either, occasions, reasons, things, topics, wanted, whether
 from grammars.registry import sentence_form
+from grammars.sorts import is_kin_of_yours
 from kernel.memory.meaning import Question
 
 EXAMPLES = (
@@ -58,22 +59,31 @@ EXAMPLES = (
     "is the cup red or is it blue",
     "does Lily know how to swim",
     "do you need a rest",
+    "do you always do what Ben says",
+    "you know what a cup is, don't you",
     "remind me where the cup is",
     "what are you not allowed to touch",
     "I wonder who may tell you to turn left",
 )
+# What stands before the question itself.
+BEFORE: Final = ("roughly", "told_me")
+WHO_OR_WHAT: Final = ("who", "what", "color", "know_about", "know_any")
 
 
 @sentence_form("question", "question", EXAMPLES)
 def question(alist: AList) -> Question:
     """The question; everything described is in the one net it is about."""
     roughly = alist.slot("roughly")
-    body = alist.parts[1 if roughly else 0]
+    body = next(part for part in alist if part.name not in BEFORE)
+    if body.name not in WHO_OR_WHAT and any(map(is_kin_of_yours, body.walk())):
+        raise NoMeaningError("did your cousin call")
     build = Build()
     with build.drawing(pattern=True):
         asked = SO[body.name](build, body) if body.name in SO else topics.of_topic(build, body)
         if roughly and not topics.may_be_about(asked.ask, roughly):
             raise NoMeaningError(roughly)
+        if asked.topic == "occasion" and alist.has("told_me"):
+            raise NoMeaningError("let me know when you get there")
         if (occasion := alist.find("occasion")) is not None:
             return replace(asked, about=occasions.on_occasion(build, asked.about, body, occasion))
         return asked

@@ -27,8 +27,9 @@ def state(build: Build, asks: AList, who: str) -> str:
     if (does := asks.find("does_q")) is not None:
         if (verb := _alone(does)) == "have" or (verb in WISHES and not asks.has("modal_q")):
             return build.add("act", verb, agt=who)  # what, is asked
-        if does.slot("state") == "know" and does.has("dest"):  # "know where it is"
-            raise NoMeaningError(str(does))
+        offered = asks.slot("modal_q") == "would" and does.slot("state") in WISHES
+        if offered or (does.slot("state") == "know" and does.has("dest")):
+            raise NoMeaningError(str(does))  # "what would you like to drink", "know where it is"
         return does_so(build, does, who)
     if asks.has("habit") or asks.has("habit_s"):
         return clause(build, AList("q", tuple(asks.all("habit", "habit_s"))), who)
