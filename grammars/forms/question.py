@@ -67,7 +67,6 @@ EXAMPLES = (
 )
 # What stands before the question itself.
 BEFORE: Final = ("roughly", "told_me")
-WHO_OR_WHAT: Final = ("who", "what", "color", "know_about", "know_any")
 
 
 @sentence_form("question", "question", EXAMPLES)
@@ -75,7 +74,7 @@ def question(alist: AList) -> Question:
     """The question; everything described is in the one net it is about."""
     roughly = alist.slot("roughly")
     body = next(part for part in alist if part.name not in BEFORE)
-    if body.name not in WHO_OR_WHAT and any(map(is_kin_of_yours, body.walk())):
+    if any(map(_is_done_by_kin, body.walk())):
         raise NoMeaningError("did your cousin call")
     build = Build()
     with build.drawing(pattern=True):
@@ -87,6 +86,11 @@ def question(alist: AList) -> Question:
         if (occasion := alist.find("occasion")) is not None:
             return replace(asked, about=occasions.on_occasion(build, asked.about, body, occasion))
         return asked
+
+
+def _is_done_by_kin(part: AList) -> bool:
+    """What their kin do, persons ask each other."""
+    return part.find(*topics.DEEDS) is not None and any(map(is_kin_of_yours, part.all("np")))
 
 
 SO: Final[dict[str, Callable[[Build, AList], Question]]] = {
