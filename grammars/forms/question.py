@@ -90,7 +90,9 @@ def question(alist: AList) -> Question:
 
 def _is_done_by_kin(part: AList) -> bool:
     """What their kin do, persons ask each other."""
-    return part.find(*topics.DEEDS) is not None and any(map(is_kin_of_yours, part.all("np")))
+    return part.find(*topics.DEEDS, "does_q") is not None and any(
+        map(is_kin_of_yours, part.all("np"))
+    )
 
 
 SO: Final[dict[str, Callable[[Build, AList], Question]]] = {
