@@ -10,20 +10,22 @@ from grammars.sorts import classes, is_bare, usages
 from grammars.vocabulary import BORN
 
 MOST_MANNERS: Final = 2
+WIDTHS: Final = frozenset(("wide", "high", "low"))
 
 
 def is_odd_manner(action: AList, obj: AList | None) -> bool:
     """Nobody says so how: "hard make books", "quicker face arm", "water the shed wider"."""
-    if len(action.all("manner")) > MOST_MANNERS:
+    said = action.all("manner")
+    if len(said) > MOST_MANNERS or len(said) > len(set(map(str, said))):
         return True
     before = takewhile(lambda part: part.name not in ("act", "speech"), action.parts)
     first = [how for how in map(_how, before) if "ADJ" in BORN.readings(how)]
     if not classes()["urged"].issuperset(first) or (first and obj is not None and is_bare(obj)):
         return True
-    hows = set(map(_how, action.all("manner")))
+    hows = set(map(_how, said))
     if hows & classes()["swift"] and hows & classes()["unhurried"]:
         return True
-    wider = "wide" in hows or action.slot("size").endswith("wider")
+    wider = bool(hows & WIDTHS) or action.slot("size").endswith("wider")
     uses = usages(action.slot("act"))
     return wider and "still" in uses and "widened" not in uses
 

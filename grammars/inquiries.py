@@ -9,7 +9,7 @@ from grammars.clauses import names
 from grammars.conditions import flat, stated
 from grammars.errors import NoMeaningError
 from grammars.mentions import Thing, somebody
-from grammars.sorts import is_attribute, kind, usages
+from grammars.sorts import is_attribute, is_bare, kind, usages
 from kernel.action.chain import Directive
 
 if TYPE_CHECKING:
@@ -66,4 +66,7 @@ def _asked_of(build: Build, asked: AList) -> str:
     """Whose nature or whereabouts are asked: "what color it is", "its color", "the color of it"."""
     if own := asked.slot("own"):
         return build.whom(own)
-    return build.thing(asked.first("np", "owner"))
+    np = asked.first("np", "owner")
+    if is_bare(np) and any(rel.has("going") for rel in np.all("rel")):
+        raise NoMeaningError(str(np))  # "what color yodeling the block is"
+    return build.thing(np)

@@ -66,7 +66,14 @@ _FEMALE: Final = (
 )
 _MALE: Final = frozenset("boy man father brother son uncle grandfather husband nephew".split())
 ANY_KIND: Final = frozenset(("thing", "object", "item", "stuff"))
-REFS: Final = {"the": "the", "this": "this", "that": "that", "these": "this", "those": "that"}
+REFS: Final = {
+    "whichever": "the",
+    "the": "the",
+    "this": "this",
+    "that": "that",
+    "these": "this",
+    "those": "that",
+}
 GROUPING: Final = ("both", "all", "neither", "neither of", "none of")
 VERB_SLOTS: Final = ("does", "gerund", "state", "states", "verb", "verbs")
 DEGREES: Final = {"all the way": "fully", "a little": "little", "a bit": "little"}

@@ -100,6 +100,7 @@ def _swallows(tokens: Sequence[Token], derive: Derive) -> bool:
     return any(
         token.piece.text in NEVER_SAID
         or (token.piece.text in CONDITIONALS and tokens[at - 1].piece.text == "and")
+        or (_is_meanwhile(tokens[at : at + 2]) and _derives(tokens[at + 2 :], "action", derive))
         or (
             token.piece.text in OCCASIONS
             and (
@@ -111,6 +112,11 @@ def _swallows(tokens: Sequence[Token], derive: Derive) -> bool:
         for at, token in enumerate(tokens[:-1])
         if at > 0
     )
+
+
+def _is_meanwhile(tokens: Sequence[Token]) -> bool:
+    """ "As you" raise the lift."""
+    return [token.piece.text for token in tokens] == ["as", "you"]
 
 
 def _is_broken_off(occasion: Token, tokens: Sequence[Token]) -> bool:

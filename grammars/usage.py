@@ -40,7 +40,7 @@ BEHIND: Final = frozenset(
 WORKED: Final = POSITIONS | HERE
 SINGLE: Final = ("hand", "arm", "claw")  # of which the robot has one
 MOST_QUALITIES: Final = 2  # of a thing without an article
-ONCE: Final = ("cnt", "size", "amt", "dest")  # an action has one of each
+ONCE: Final = ("cnt", "size", "dest")  # an action has one of each
 TIMES_OF_DAY: Final = frozenset(
     "noon midnight night morning evening afternoon dawn dusk sunset nightfall summer winter autumn".split()
 )
@@ -93,6 +93,9 @@ def is_used(action: AList, verb: str, pattern: bool, naming: bool = False) -> bo
         return False
     if any(len(action.all(part)) > 1 for part in ONCE) or is_untimely(action, uses):
         return False
+    amounts = action.all("amt")
+    if len(amounts) > len({amt.has("per") for amt in amounts}):
+        return False  # at what speed, and how long, but no two of a sort
     if action.has("size") and any(not amt.has("num") for amt in action.all("amt")):
         return False  # "back up a little an hour"
     if not is_somewhere(action, obj, uses, pattern):
