@@ -100,7 +100,7 @@ def _swallows(tokens: Sequence[Token], derive: Derive) -> bool:
     return any(
         token.piece.text in NEVER_SAID
         or (token.piece.text in CONDITIONALS and tokens[at - 1].piece.text == "and")
-        or (_is_meanwhile(tokens[at : at + 2]) and _derives(tokens[at + 2 :], "action", derive))
+        or (_is_meanwhile(tokens[at:]) and _derives(tokens[at + 2 :], "action", derive))
         or (
             token.piece.text in OCCASIONS
             and (
@@ -115,8 +115,8 @@ def _swallows(tokens: Sequence[Token], derive: Derive) -> bool:
 
 
 def _is_meanwhile(tokens: Sequence[Token]) -> bool:
-    """ "As you" raise the lift."""
-    return [token.piece.text for token in tokens] == ["as", "you"]
+    """ "As you raise the lift"."""
+    return len(tokens) > 2 and [token.piece.text for token in tokens[:2]] == ["as", "you"]
 
 
 def _is_broken_off(occasion: Token, tokens: Sequence[Token]) -> bool:
