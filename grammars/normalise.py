@@ -215,7 +215,7 @@ def without_emphasis(found: Sequence[Piece]) -> list[Piece]:
 
 
 def without_repeats(found: Sequence[Piece]) -> list[Piece]:
-    """Stammered words once: "turn turn left", "grab the grab the cup".
+    """Stammered words once: "turn turn left", "grab the grab the cup", "three uh three".
 
     Of two whole sentences the same nothing was broken off: they are said twice.
     """
@@ -225,7 +225,7 @@ def without_repeats(found: Sequence[Piece]) -> list[Piece]:
         for size in range(1, MOST_STAMMERED + 1):
             last, before = result[-size:], result[-2 * size : -size]
             broken_off = size == 1 or 2 * size < len(found)
-            if broken_off and last[0].kind == "word" and texts(last) == texts(before):
+            if broken_off and last[0].kind in ("word", "number") and texts(last) == texts(before):
                 del result[-size:]
                 break
     return result

@@ -38,6 +38,9 @@ NO_OPENING: Final = frozenset("VERBED VERBING VERBS DIR VERB STATE ADJER ADJEST"
 OPENING: Final = frozenset(("NOUN", "NOUNS", "PROPER"))
 LITERALLY: Final = ("say", "saying")  # after these anything is a quote
 # What somebody is to be told; "tell me", though, mostly asks for what the robot knows.
+LONGEST: Final = (
+    9  # words of a message that is not put in quotation marks; at more length it is gossip
+)
 MESSAGES: Final = frozenset("tell telling ask asking".split())
 RECITING: Final = frozenset("recite reciting".split())
 WANTED: Final = frozenset(
@@ -67,7 +70,8 @@ def _may_be_spoken(before: Sequence[str], words: Sequence[Leaf], derive: Derive)
         if any(_derives(tokens, symbol, derive) for symbol in UNASKED):
             return False
     elif before[0] in MESSAGES:
-        return not _is_no_opening(tokens[0]) or _makes_sense(tokens, derive)
+        begun = not _is_no_opening(tokens[0]) or _makes_sense(tokens, derive)
+        return begun and len(tokens) <= LONGEST
     too_short = len(words) == 1 and _is_too_short(before, words[0])
     return not too_short and _makes_sense(tokens, derive)
 

@@ -39,7 +39,8 @@ DETERMINED: Final = ("det", "own", "owner", "pron", "pronoun", "vague", "name")
 def usages(verb: str) -> frozenset[str]:
     """Classes of the verb; what is picked up in no direction is not picked in one, either."""
     head, _, particle = verb.partition(" ")
-    names = ("still",) if particle else classes()
+    taken = ("taking",) if verb == "pick up" else ()
+    names = ("still", *taken) if particle else classes()
     return frozenset(name for name in names if head in classes()[name])
 
 
