@@ -225,10 +225,16 @@ def without_repeats(found: Sequence[Piece]) -> list[Piece]:
         for size in range(1, MOST_STAMMERED + 1):
             last, before = result[-size:], result[-2 * size : -size]
             broken_off = size == 1 or 2 * size < len(found)
-            if broken_off and last[0].kind in ("word", "number") and texts(last) == texts(before):
+            if broken_off and _is_stammered(before, last) and texts(last) == texts(before):
                 del result[-size:]
                 break
     return result
+
+
+def _is_stammered(before: Sequence[Piece], last: Sequence[Piece]) -> bool:
+    """Words, or a number that was thought about: "three uh three", and not "5 5"."""
+    thought = bool(before) and last[0].begin - before[-1].end > 1
+    return last[0].kind == "word" or (last[0].kind == "number" and thought)
 
 
 def texts(found: Sequence[Piece]) -> list[str]:
