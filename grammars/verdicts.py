@@ -7,7 +7,7 @@ from typing import Final
 from grammars.alist import AList
 from grammars.errors import NoMeaningError
 from grammars.mentions import US
-from grammars.sorts import classes, is_people, kind, persons_own
+from grammars.sorts import classes, is_abstract, is_people, kind, persons_own
 from grammars.vocabulary import BORN
 
 # Brackets and slots of a verdict that are blame.
@@ -26,11 +26,18 @@ def is_praise(judged: AList) -> bool:
     fault = said.find("fault")
     if fault is not None and fault.has("harm") and not _is_harm(fault.first("harm")):
         raise NoMeaningError(str(said))
+    if fault is not None and any(map(_is_no_thing, fault.all("np"))):
+        raise NoMeaningError("you dropped a hint")
     performed = said.find("performed")
     if performed is not None and performed.slot("act") in classes()["shows"]:
         raise NoMeaningError("the show was great")
     turned = said.has("neg") != judged.has("doubting")  # "i don't think that was bad"
     return _is_good(said) != turned
+
+
+def _is_no_thing(np: AList) -> bool:
+    """What nobody drops or breaks, but in a manner of speaking; what is forgotten among persons."""
+    return is_abstract(np) or kind(np) in classes()["occasions"]
 
 
 def _is_good(verdict: AList) -> bool:

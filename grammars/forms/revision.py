@@ -158,7 +158,8 @@ def _replaced(build: Build, alist: AList) -> Graphlet | None:
     """The description of the step that is meant: as it was, by its name, or by its place."""
     with build.drawing(pattern=True):
         if alist.name == "amid":
-            return step_at(build, "second")
+            steps = alist.all("stepping")
+            return step_named(build, steps[-1]) if steps else step_at(build, "second")
         step = alist.find("stepping", "gerunding", "action") or _as_it_was(alist)
         if step is None:
             return None

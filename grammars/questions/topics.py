@@ -116,9 +116,13 @@ def _about(build: Build, body: AList) -> Graphlet:
 def does_so(build: Build, does: AList, agent: str) -> str:
     """ "Like cats", "like turning left", "know how to swim": node of what somebody does all the time."""
     verb = does.slot("state") or does.slot("states")
-    skill, wish = does.find("action"), does.find("wish")
+    skill, wish = does.find("action"), does.find("wish", "of_me")
     if (skill is not None and verb not in KNOWING) or (wish is not None and verb not in WISHING):
         raise NoMeaningError(str(does))
+    if wish is not None and wish.name == "of_me":  # "do you want me to help"
+        mine = build.action(wish.first("action"))
+        build.sketch.link(mine, "agt", build.oneself("me"))
+        return build.add("act", verb, agt=agent, obj=mine)
     if (deed := skill or wish or does.find("gerunding")) is not None:
         return build.add("act", verb, agt=agent, obj=build.action(deed))
     said = (AList("state", value=does.value),) if does.value else does.parts

@@ -130,7 +130,11 @@ def _object(telling: Telling, name: str, verb: str) -> str:
     if term.literal is not None:
         return literally(term.literal)
     if term.kind == "act":
+        agent = linked(term, "agt")
+        whom = f"{thing(telling, agent)} " if agent else ""
         done = deed(telling, name)
+        if whom:  # "want me to help"
+            return f"{whom}to {done}"
         if verb in _WISHING and " " not in done:  # "a rest"
             return f"{article(done)} {done}"
         return f"how to {done}" if verb in _KNOWING else f"to {done}"
