@@ -65,6 +65,8 @@ class Build(Things):
         if action.value is not None:
             action = AList(action.name, (AList("act", value=action.value),))
         verb, way = self._verb(action)
+        if verb == "let":  # "let me down"
+            raise NoMeaningError(str(action))
         if put_nowhere(verb, action, action.find("np", "every")):
             raise NoMeaningError("a thing in a place that is put nowhere")
         if action.slot("dir") == "for" and self._particle != "for":

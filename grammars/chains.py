@@ -210,6 +210,8 @@ def that_too(chain: AList, elliptic: AList) -> AList:
     at = chain.parts.index(elliptic)
     done = [part for before in chain.parts[:at] for part in before.walk() if part.name == "action"]
     new = elliptic.first("loc", "dest", "np", "manner", "amt")
+    if len(elliptic.parts) > 1:
+        return _with_each(done, elliptic)
     if new.name == "loc":
         new = AList("place", (new,))
     if not done or not done[-1].has(new.name):
@@ -222,6 +224,14 @@ def that_too(chain: AList, elliptic: AList) -> AList:
         )
     action = AList("action", tuple(new if part is old else part for part in done[-1]))
     return AList("chain", (AList("play", (action,)),))
+
+
+def _with_each(done: list[AList], elliptic: AList) -> AList:
+    """ "Put a plate on the table, then a cup beside it": the same done with another thing elsewhere."""
+    if not done or not all(done[-1].has(new.name) for new in elliptic):
+        raise NoMeaningError(str(elliptic))
+    rest = (part for part in done[-1] if part.name not in {new.name for new in elliptic})
+    return AList("chain", (AList("play", (AList("action", (*rest, *elliptic.parts)),)),))
 
 
 def turned(action: AList) -> AList:

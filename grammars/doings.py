@@ -22,6 +22,7 @@ SIGHTS: Final = {
 ASKING_FOR: Final = ("asks for", "ask for")
 WISHES: Final = ("like", "want", "need", "prefer")
 BACK: Final = {"backward": "back", "forward": "ahead"}
+THINGS: Final = ("it", "this", "that", "these", "those")
 PAST: Final = "past"
 ADDRESSING: Final = ("speak", "talk")
 BIDDEN: Final = {"asked": "ask", "told": "tell"}
@@ -138,4 +139,4 @@ def in_the_past(build: Build, act: str) -> None:
 def _is_knowable(np: AList) -> bool:
     """People, animals and the like may be known, and what is no thing at all: nobody "knows the drill"."""
     tool = kind(np) in TOOLS and np.slot("det") == "the"
-    return not (tool or np.has("pron"))
+    return not tool and np.slot("pron") not in THINGS

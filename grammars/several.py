@@ -23,6 +23,8 @@ def spread(build: Things, action: AList) -> AList:
     if (speech := action.find("speech", "speaking")) is not None:
         heard = _heard(speech)
         return AList(action.name, tuple(heard if part is speech else part for part in action))
+    if any(part.name == "every" for part in action.walk()):
+        return action  # "look for my shoes in every room"
     np = action.find("np")
     if np is None or not _is_several(np) or kind(np) in classes()["pairs"]:
         return action

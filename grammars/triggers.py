@@ -52,6 +52,14 @@ def taken_up(trigger: Graphlet, lesson: Operator) -> Graphlet:
     return Graphlet(tuple(terms), trigger.main)
 
 
+def asks_nothing(chain: AList) -> bool:
+    """ "Ask Mary", before "if she is hungry": that is what she is to be asked."""
+    last = [part for part in chain.walk() if part.name == "speech"][-1:]
+    return any(
+        speech.has("ask") and not (speech.has("quote") or speech.has("asked_if")) for speech in last
+    )
+
+
 def around(build: Build, alist: AList, tag: str) -> Operator:
     """What is done before or after an act, when it is and when it is not."""
     with build.drawing(pattern=True, trigger=True):
@@ -59,6 +67,8 @@ def around(build: Build, alist: AList, tag: str) -> Operator:
         if deed.name == "action" and any(np.slot("pron") == "you" for np in deed.all("np")):
             raise NoMeaningError(str(deed))  # "after each block you grab"
         trigger = build.graphlet(build.action(deed))
+    if alist.has("conds") and asks_nothing(alist.first("chain")):
+        raise NoMeaningError("what follows is the question")
     enabled = (*times, *enablement(build, alist))
     chain = build.chain(alist.first("chain"))
     return Operator(

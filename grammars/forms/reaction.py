@@ -12,7 +12,8 @@ from grammars.hedges import preference
 from grammars.pacing import HOLDING
 from grammars.registry import sentence_form
 from grammars.reporting import so_told
-from kernel.action.chain import Directive
+from grammars.triggers import asks_nothing
+from kernel.action.chain import Chain, Directive
 from kernel.memory.lesson import Operator
 from kernel.memory.meaning import Teach
 from kernel.net.graphlet import Graphlet
@@ -41,7 +42,7 @@ def reaction(alist: AList) -> Teach:
     if not alist.has("conds"):
         alist = _contrary(alist)
     conds = alist.all("conds")
-    if alist.parts[0].name == "chain" and _asks_nothing(alist.parts[0]):
+    if alist.parts[0].name == "chain" and asks_nothing(alist.parts[0]):
         raise NoMeaningError("what follows is the question")
     trigger = condition(build, conds[0] if len(conds) == 1 else AList("conds", tuple(conds)))
     said = alist.find("chain")
@@ -50,6 +51,8 @@ def reaction(alist: AList) -> Teach:
     if said is not None and _is_way(build, trigger, said):
         raise NoMeaningError("a way of doing it")
     chain = build.chain(said or so_told(trigger))
+    if alist.has("also_telling"):
+        chain = Chain((*chain.plays, *build.chain(so_told(trigger)).plays))
     return Teach(
         "reaction",
         Operator(
@@ -86,11 +89,3 @@ def _is_close_by(conds: AList, chain: AList) -> bool:
     first = next((part for part in chain.walk() if part.name == "action"), None)
     bare = first is not None and first.slot("act") == "close" and len(first.parts) <= 1
     return bare and any(part.value in COMING for part in conds.walk() if part.name == "does")
-
-
-def _asks_nothing(chain: AList) -> bool:
-    """ "Ask Mary", before "if she is hungry": that is what she is to be asked."""
-    last = [part for part in chain.walk() if part.name == "speech"][-1:]
-    return any(
-        speech.has("ask") and not (speech.has("quote") or speech.has("asked_if")) for speech in last
-    )

@@ -11,7 +11,7 @@ from typing import Final
 from grammars.alist import AList
 from grammars.build import Build, NoMeaningError
 from grammars.clauses import told
-from grammars.conditions import exception
+from grammars.conditions import enablement, exception
 from grammars.mentions import PERSONAL, US, is_person, may_be_person
 from grammars.registry import sentence_form
 from kernel.action.chain import Chain, Directive, Play
@@ -66,6 +66,7 @@ def trust(alist: AList) -> Teach:
     if alist.has("may_order") or alist.has("may_obey"):
         if build.negative:
             raise NoMeaningError("nobody is no permission")
-        return Teach("permission", Operator(Directive("ALLOW", both), Chain()))
-    ways = exception(build, alist)
-    return Teach("permission", Operator(Directive("ANTE", both), chain, unless=ways))
+        given = enablement(build, alist)
+        return Teach("permission", Operator(Directive("ALLOW", both), Chain(), enablement=given))
+    ways, given = exception(build, alist), enablement(build, alist)
+    return Teach("permission", Operator(Directive("ANTE", both), chain, given, unless=ways))

@@ -51,7 +51,8 @@ def worded(content: Operator, voice: Voice) -> Wording:
         case "ANTE" if content.prohibits:
             return _prohibition(telling, content)
         case "ALLOW" if (cause := _teller(content)) is not None:
-            return Wording("", _may_tell(telling, [cause], content), "", "")
+            may = _may_tell(telling, [cause], content)
+            return Wording("", may, _enabled(telling, content), "")
         case "ALLOW" if _leads_there(telling, content):
             are = "I am" if voice == "robot" else "you are"
             near = thing(telling, linked(telling.term(_main(content)), "dest"))
@@ -188,10 +189,10 @@ def _prohibition(telling: Telling, content: Operator) -> Wording:
         lead = f"{'I will' if robot else 'do'} not let"
         about, end = thing(telling, linked(cause, "agt")), f" teach {'me' if robot else 'you'}"
     elif cause is not None:
-        given = _enabled(telling, content)
         lead, about, end = "if", _told(telling, cause), f", {'I will not' if robot else 'do not'}"
+        about = " and ".join(filter(None, (about, _enabled(telling, content))))
         end += _except(telling, content)
-        return Wording(lead, about, given, end + _instead(telling, content))
+        return Wording(lead, about, "", end + _instead(telling, content))
     elif tellers:
         return Wording("only", _may_tell(telling, tellers, content), "", "")
     else:

@@ -235,7 +235,12 @@ def _taken_there(loop: Loop) -> bool:
     """Whether it is taken somewhere that is looked up: "push each crate to the wall"."""
     done = tuple(play for play in loop.body.plays if play.find is None)
     acts = replace(loop, body=Chain(done))
-    placed = any(term.kind == "loc" for g in loop.body.graphlets() for term in g)
+    each = loop.each.main if loop.each is not None else ""
+    placed = any(
+        term.kind == "loc" and linked(term, "wrt") != each
+        for g in loop.body.graphlets()
+        for term in g
+    )
     return not placed and not any(t.kind == "loc" for t in loop.each or ()) and _taken(acts)
 
 
@@ -244,7 +249,8 @@ def _taken(loop: Loop) -> bool:
     if loop.each is None or not _plain(loop.body):
         return False
     return any(
-        other == loop.each.main and (role == "obj" or (role == "dest" and "say" in term.lex))
+        other == loop.each.main
+        and (role in ("obj", "wrt") or (role == "dest" and "say" in term.lex))
         for graphlet in loop.body.graphlets()
         for term in graphlet
         for role, other in term.links
