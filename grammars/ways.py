@@ -69,7 +69,7 @@ def is_somewhere(action: AList, obj: AList | None, uses: frozenset[str], pattern
         return False
     if {"nowhere", "steering"} <= uses and "venting" not in uses and action.has("dest"):
         return False  # "stop to the kitchen"
-    if action.slot("act") in BACKING and not {"forward", "on"}.isdisjoint(dirs):
+    if not pattern and action.slot("act") in BACKING and not {"forward", "on"}.isdisjoint(dirs):
         return False
     if _is_beside_the_end(action):
         return False
