@@ -148,10 +148,7 @@ class Build(Things):
                 manner(self, act, part)
             elif part.name == "amt":
                 part = summed(part)
-                number = part.slot("num", "1")
-                if part.has("more_half"):
-                    number = f"{float(number) + 0.5:g}"
-                amt = self.add("amt", unit_of(part), literal=number, amt=act)
+                amt = self.add("amt", unit_of(part), literal=part.slot("num", "1"), amt=act)
                 bounded(self, amt, part)
             elif part.name == "cnt":
                 self.add("cnt", literal=limited(self, part, count(part)), cnt=act)

@@ -180,7 +180,7 @@ def _may_be_name(token: Token, before: Sequence[Piece], after: Sequence[Token]) 
         return True
     if told and new and token.piece.capital and "VERB" in token.readings:  # "they call me Buzz"
         return True
-    nameable = ("ADJ", "NOUN", "NOUNS", *(("STRANGE",) if told else ()))
+    nameable = ("ADJ", "NOUN", "NOUNS", *(("STRANGE", "VERBS") if told else ()))
     return (told or token.piece.capital) and not token.readings.keys().isdisjoint(nameable)
 
 

@@ -1,4 +1,4 @@
-"""Amounts told in two units: "two feet and three inches"."""
+"""Amounts told in two parts: "two feet and three inches", "an inch and a quarter"."""
 
 from __future__ import annotations
 
@@ -25,8 +25,15 @@ PARTS: Final = {
 }
 
 
+FRACTIONS: Final = {"more_half": 0.5, "more_quarter": 0.25}
+
+
 def summed(amt: AList) -> AList:
-    """The amount in the smaller of its units."""
+    """The amount as one number, in the smaller of its units."""
+    for name, part in FRACTIONS.items():
+        if amt.has(name):  # "a second and a half"
+            number = AList("num", value=f"{float(amt.slot('num', '1')) + part:g}")
+            return AList("amt", (number, *(one for one in amt if one.name not in ("num", name))))
     units = [unit.value or "" for unit in amt.all("unit")]
     if len(units) < 2:
         return amt

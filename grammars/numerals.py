@@ -12,6 +12,7 @@ SMALL: Final = {
         " fifteen sixteen seventeen eighteen nineteen".split()
     )
 }
+PARTS: Final = {"and a half": 0.5, "and a quarter": 0.25, "and three quarters": 0.75}
 TENS: Final = {
     word: 10 * value
     for value, word in enumerate(
@@ -45,8 +46,8 @@ def number(words: Sequence[str]) -> tuple[float, int]:
         else:
             break
         at += 1
-    if at and list(words[at : at + 3]) == ["and", "a", "half"]:
-        return total + current + 0.5, at + 3
+    if at and (more := PARTS.get(" ".join(words[at : at + 3]))):
+        return total + current + more, at + 3
     if words[at : at + 1] == ["point"] and words[at + 1 : at + 2]:
         tenth = SMALL.get(words[at + 1], 10)
         if tenth < 10:

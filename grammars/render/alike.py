@@ -19,6 +19,8 @@ def either(phrases: list[str]) -> str:
     words = [phrase.split() for phrase in phrases]
     least = min(map(len, words))
     before = next((n for n in range(least) if len({w[n] for w in words}) > 1), least)
+    if words[0][:before][-2:] == ["you", "to"]:  # "Rick tells you to turn or stop"
+        return " ".join([*words[0][:before], " or ".join(" ".join(w[before:]) for w in words)])
     while before and words[0][before - 1] in _BEGIN:
         before -= 1
     after = next((n for n in range(least - before) if len({w[-1 - n] for w in words}) > 1), 0)
