@@ -64,7 +64,9 @@ def _may_be_spoken(before: Sequence[str], words: Sequence[Leaf], derive: Derive)
     """What follows another verb than "say" makes sense, or is at least begun as a message may be."""
     tokens = [token for _, token in words]
     if before[:2] in ASKING_FOR:
-        wanted = before[0] == "tell" and tokens[0].piece.text in WANTED
+        wanted = tokens[0].piece.text in WANTED
+        if wanted and before[0] == "ask":  # "ask me where it is"
+            return True
         if wanted or _is_handled(tokens, derive):
             return False
         if any(_derives(tokens, symbol, derive) for symbol in UNASKED):

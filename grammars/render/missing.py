@@ -54,6 +54,9 @@ def question_words(telling: Telling, asked: Question) -> str:
         telling.gap = linked(owned, "own")
         return f"whose {bare(telling, telling.gap, several=False)}"
     telling.gap = asked.wanted
+    if asked.ask == "which" and (owns := telling.take(asked.wanted, "own")):
+        whose = thing(telling, linked(owns[0], "of"), "possessive")
+        return f"which of {whose} {bare(telling, asked.wanted, several=True)}"
     said = telling.about(asked.wanted, "ako", "hq", "loc", "own")
     words = {"howmany": "how many"}.get(asked.ask, asked.ask)
     if asked.ask in ("howmany", "which") or any(linked(t, "ako") for t in said):
