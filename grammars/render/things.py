@@ -151,8 +151,8 @@ def _done_to(telling: Telling, term: Term, gap: str) -> str:
     if verb in _ONGOING:
         does = f"{_BE.get(who, 'is')} {gerund(verb)}"
     elif verb in _FELT:
-        stated = verb if who in ("I", "you") else third_person(verb)
-        does = f"do not {verb}" if term.negated else stated
+        stated = verb if who in _BE else third_person(verb)
+        does = f"{'do' if who in _BE else 'does'} not {verb}" if term.negated else stated
     else:
         does = f"did not {verb}" if term.negated else past(verb)
     obj = linked(term, "obj")
