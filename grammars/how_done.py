@@ -27,7 +27,7 @@ def is_odd_manner(action: AList, obj: AList | None) -> bool:
         return True
     wider = bool(hows & WIDTHS) or action.slot("size").endswith("wider")
     uses = usages(action.slot("act"))
-    return wider and "still" in uses and "widened" not in uses
+    return wider and not uses.isdisjoint(("still", "steering")) and "widened" not in uses
 
 
 def _how(manner: AList) -> str:

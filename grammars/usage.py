@@ -214,6 +214,8 @@ def _takes(action: AList, obj: AList, uses: frozenset[str], pattern: bool) -> bo
         return False
     if "reciting" in uses and not is_recited(obj):
         return False
+    if "personal" in uses and bare and obj.has("ako") and not is_people(obj):
+        return False  # "remind kitchen"
     if named and "faring" not in uses and is_country(obj):
         return False
     if (before and _is_called(obj)) or (bare and kind(obj) == ROBOT):
