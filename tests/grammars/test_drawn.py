@@ -66,9 +66,8 @@ def test_what_was_drawn_for_the_rules_is_read() -> None:
     deal = Deal(words())
     said = [deal.said(shape) for shape in drawn.drawn().rules[::STRIDE]]
     assert len(said) > 500
-    assert sum(bool(kind(text)) for text in said) > 0.8 * len(
-        said
-    )  # with the words they got now, which nobody may put so
+    # With the words they got now, which nobody may put so.
+    assert sum(bool(kind(text)) for text in said) > 0.8 * len(said)
 
 
 def test_typical_sentences_are_those_of_their_forms() -> None:
