@@ -207,7 +207,8 @@ def may_regard(pred: AList) -> bool:
     loc, qual = pred.find("loc"), pred.first("qual")
     word = qual.slot("hq")
     if qual.has("most") or qual.has("most_of"):  # "the tallest of the boys"
-        return loc is None or loc.slot("prep") == "of"
+        near = qual.slot("most") in NEARNESS
+        return loc is None or loc.slot("prep") == "of" or (near and loc.slot("prep") == "to")
     if loc is not None and _is_somewhere(word, loc):
         return True
     if loc is not None and loc.slot("prep") not in COMPLEMENTS:

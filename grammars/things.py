@@ -274,8 +274,8 @@ class Things:
 
         Returns the node of that.
         """
-        if own := owner.slot("own"):  # "that is ours"
-            return self.add("own", own=name, of=self.whom(own), negated=negated)
+        if owner.has("own") and len(owner.parts) == 1:  # "that is ours", and not "my brother's"
+            return self.add("own", own=name, of=self.whom(owner.slot("own")), negated=negated)
         whose = owner.find("np") or owner
         if owner.name == "of_owner" and not (is_person(whose) or is_definite(whose)):
             raise NoMeaningError(str(owner))
