@@ -99,6 +99,9 @@ def description(telling: Telling, name: str, noun: str) -> tuple[str, str, str]:
         other = linked(term, "than")
         if term.negated:
             denied.append(quality(telling, term))
+        elif regards := telling.take(term.name, "loc"):  # "closest to you"
+            words = [quality(telling, term), *(place(telling, about) for about in regards)]
+            after.append(f"that is {' '.join(words)}")
         elif linked(term, "as"):
             after.append(f"that is {alike(telling, term)}")
         elif other:
