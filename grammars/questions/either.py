@@ -42,6 +42,8 @@ def one_of(first: Question, second: Question) -> Question:
         raise NoMeaningError("two questions")
     if first.topic not in TOPICS:
         raise NoMeaningError(first.topic)
+    if any(main.startswith("obj") for main in (first.about.main, second.about.main)):
+        raise NoMeaningError("a name")  # "is the gripper open or Sally"
     one, other = _by_somebody(first), _by_somebody(_apart(first, second))
     known = {term.name for term in one}
     terms = (*one, *(term for term in other if term.name not in known))
