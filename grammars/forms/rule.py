@@ -42,7 +42,8 @@ def rule(alist: AList) -> Teach:
         generic = _stuff(stuff, alist.first("pred"))
     if generic is not None and kind(generic) in MUCH:
         raise NoMeaningError("a lot of people")
-    if generic is not None and generic.has("akos") and alist.has("habit_s"):
+    habit = alist.find("habit", "habit_s")
+    if generic is not None and generic.has("akos") and habit is not None and habit.has("states"):
         raise NoMeaningError(str(alist))  # "actors hears bells"
     if generic is not None and _is_left_over(generic):
         raise NoMeaningError("what remains")
