@@ -169,6 +169,8 @@ def predicate(build: Things, name: str, pred: AList, negated: bool) -> str:
         build.sketch.change(name, lex=frozenset((called.slot("name"),)))
         return build.put(name)
     if (measured := pred.find("measured")) is not None:  # "3 meters long"
+        if measured.slot("unit") in TIMES and measured.slot("hq") != "long":
+            raise NoMeaningError(str(measured))  # "twenty minutes late"
         if not measured.has("unit"):  # "Lily is seven"
             measured = _years(build, name, measured)
         hq = build.quality(name, measured, negated)
